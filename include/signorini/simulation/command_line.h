@@ -1,0 +1,48 @@
+#ifndef signorini_simulation_command_line_h
+#define signorini_simulation_command_line_h
+
+#include <signorini/simulation/run.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /** The command line cannot be understood; the message says why. */
+  class CommandLineError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /** The options of the program, as they were given. */
+  struct CommandLine
+  {
+    /** At least one, unless one of the three below is asked for. */
+    std::vector<std::string> prm_files;
+
+    bool help             = false;
+    bool version          = false;
+    bool print_parameters = false;
+
+    /** Upper limit of threads; without it all cores are used. */
+    std::optional<unsigned int> threads;
+
+    RunOptions run_options;
+
+    /**
+     * @throws CommandLineError for an unknown option, a missing or wrong
+     * value, or no .prm file.
+     */
+    static CommandLine
+    parse(const int argc, const char *const *argv);
+  };
+
+  /** The text of --help. */
+  std::string
+  help_text();
+} // namespace Signorini
+
+#endif

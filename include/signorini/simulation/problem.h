@@ -1,0 +1,70 @@
+#ifndef signorini_simulation_problem_h
+#define signorini_simulation_problem_h
+
+#include <signorini/contact/contact_model.h>
+#include <signorini/contact/rigid_body.h>
+#include <signorini/simulation/output_parameters.h>
+#include <signorini/simulation/parameter_file.h>
+#include <signorini/solid/solid_model.h>
+#include <signorini/time/time_parameters.h>
+#include <signorini/variational_inequality/algorithm_parameters.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /** What decides which sections a .prm has. */
+  struct ProblemOutline
+  {
+    Formulation              formulation;
+    std::vector<std::string> bodies;
+    std::vector<std::string> rigid_bodies;
+
+    /** Reads the entries of the top level. @throws InputError. */
+    static ProblemOutline
+    read(const ParameterFile &file);
+  };
+
+  /** Declares every section and entry of a problem of this outline. */
+  template <int dim>
+  void
+  declare_problem_parameters(const ProblemOutline     &outline,
+                             dealii::ParameterHandler &prm);
+
+  /** The section `Contact`, but for the pairs. */
+  struct ContactParameters
+  {
+    AlgorithmParameters algorithm;
+    double              relative_penalty_stiffness; // of the body's, 1
+    double              force_tolerance;            // 1
+  };
+
+  /** A whole .prm, made into objects: all that a run needs to begin. */
+  template <int dim>
+  struct Problem
+  {
+    std::string                                  title;
+    TimeParameters                               time;
+    ContactParameters                            contact_parameters;
+    OutputParameters<dim>                        output;
+    std::vector<std::unique_ptr<RigidBody<dim>>> rigid_bodies;
+    std::unique_ptr<SolidModel<dim>>             solid;
+    std::unique_ptr<ContactModel<dim>>           contact;
+    dealii::Vector<double>                       initial_displacement; // m
+    dealii::Vector<double>                       initial_velocity;     // m/s
+
+    /**
+     * Makes the objects from a handler into which the file was applied.
+     * @param directory of the .prm, where paths in it start
+     * @throws InputError.
+     */
+    static Problem
+    create(const ProblemOutline     &outline,
+           const std::string        &directory,
+           dealii::ParameterHandler &prm);
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef signorini_simulation_result_fields_h
+#define signorini_simulation_result_fields_h
+
+#include <signorini/output/field_lookup.h>
+#include <signorini/output/field_writer.h>
+#include <signorini/output/surface_writer.h>
+#include <signorini/simulation/problem.h>
+#include <signorini/simulation/state.h>
+#include <signorini/solid/stress_recovery.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * The fields of a state: written for ParaView, and looked up by name for the
+   * expected results (BODY.displacement_x, BODY.stress_xx, BODY.von_mises, and
+   * PAIR.pressure, PAIR.gap on contact surfaces).
+   */
+  template <int dim>
+  class ResultFields : public FieldLookup
+  {
+  public:
+    /** The problem must outlive the object. */
+    explicit ResultFields(const Problem<dim> &problem);
+
+    /** The fields are those of this state from now on; it must stay alive. */
+    void
+    show(const State &state);
+
+    std::vector<std::string>
+    names() const override;
+
+    NodalField
+    field(const std::string &name) const override;
+
+    void
+    write(FieldWriter<dim> &fields, SurfaceWriter<dim> &surfaces) const;
+
+  private:
+    SurfaceData<dim>
+    surface_data(const ContactPair<dim> &pair) const;
+
+    const Problem<dim>                               &problem_;
+    const State                                      *state_ = nullptr;
+    std::vector<std::unique_ptr<StressRecovery<dim>>> stresses_; // a body each
+  };
+} // namespace Signorini
+
+#endif

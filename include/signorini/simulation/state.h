@@ -1,0 +1,83 @@
+#ifndef signorini_simulation_state_h
+#define signorini_simulation_state_h
+
+#include <deal.II/lac/vector.h>
+
+#include <boost/serialization/vector.hpp>
+
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * Where energy is and where it came from since t = 0, in J (2-D: with the
+   * thickness). The sum of the works on the right equals what is kept on the
+   * left up to what the time integration loses,
+   *   kinetic + stored + damping + scheme_loss
+   *     = initial + loads + supports + contact + returned.
+   */
+  struct EnergyLedger
+  {
+    double initial  = 0.; // kinetic + stored at t = 0
+    double kinetic  = 0.; // 1/2 V.M V
+    double stored   = 0.; // strain energy
+    double loads    = 0.; // work of the loads
+    double supports = 0.; // work of prescribed motions
+    double contact  = 0.; // work of the contact forces on the bodies
+    double returned = 0.; // given back for contacts that opened or closed
+    double damping  = 0.; // taken by Rayleigh damping
+
+    /** What the time integration lost; negative: made. */
+    double
+    scheme_loss() const
+    {
+      return initial + loads + supports + contact + returned - damping -
+             kinetic - stored;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &initial &kinetic &stored &loads &supports &contact &returned
+        &damping;
+    }
+  };
+
+  /**
+   * Everything a run knows at one time. A value: it can be copied, thrown away
+   * and serialised. A step that is cut goes back to the old one.
+   */
+  struct State
+  {
+    double                 time = 0.; // s
+    unsigned int           step = 0;
+    dealii::Vector<double> displacement;      // U, m
+    dealii::Vector<double> velocity;          // V, m/s
+    dealii::Vector<double> acceleration;      // A, m/s^2
+    dealii::Vector<double> internal_force;    // F_int(U), N
+    dealii::Vector<double> external_force;    // F(t), N
+    dealii::Vector<double> support_force;     // at given unknowns, N
+    std::vector<double>    normal_forces;     // lambda_k of each candidate, N
+    std::vector<double>    gaps;              // g_k of each candidate, m
+    double                 contact_debt = 0.; // work still to be returned, J
+    EnergyLedger           energy;
+
+    // How the step that led here was solved.
+    unsigned int n_iterations = 0;
+    double       residual     = 0.; // unbalanced force over the largest force
+    double       kkt_residual = 0.; // of the last interface problem
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &time &step &displacement &velocity &acceleration;
+      archive &internal_force &external_force     &support_force;
+      archive &normal_forces &gaps &contact_debt  &energy;
+      archive &n_iterations &residual             &kkt_residual;
+    }
+  };
+} // namespace Signorini
+
+#endif

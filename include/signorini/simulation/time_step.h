@@ -1,0 +1,128 @@
+#ifndef signorini_simulation_time_step_h
+#define signorini_simulation_time_step_h
+
+#include <signorini/contact/contact_model.h>
+#include <signorini/output/timings.h>
+#include <signorini/simulation/effective_system.h>
+#include <signorini/simulation/state.h>
+#include <signorini/solid/solid_model.h>
+#include <signorini/time/time_parameters.h>
+#include <signorini/variational_inequality/algorithm_parameters.h>
+
+#include <stdexcept>
+
+namespace Signorini
+{
+  /** A step that did not converge; a smaller one may. */
+  class StepFailed : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * One step of generalized-alpha with contact: the iteration of theory.md,
+   * section 5, on the condensed interface of section 6.
+   *
+   * Candidate nodes without mass take part in the balance at the end of the
+   * step only: their old forces carry no history, and the multiplier of the
+   * interface problem is (1 - alpha_H) times their contact force.
+   */
+  template <int dim>
+  class TimeStep
+  {
+  public:
+    struct Settings
+    {
+      TimeParameters      time;
+      AlgorithmParameters algorithm;
+      double              force_tolerance; // change of contact forces, 1
+    };
+
+    /** The models and the timings must outlive the object. */
+    TimeStep(const SolidModel<dim>   &solid,
+             const ContactModel<dim> &contact,
+             const Settings          &settings,
+             Timings                 &timings);
+
+    /**
+     * The state at t = 0+: loads act already, and the accelerations are those
+     * that balance them. Nodes without mass move to where they are in balance.
+     */
+    State
+    initial_state(const dealii::Vector<double> &displacement,
+                  const dealii::Vector<double> &velocity);
+
+    /**
+     * The state one step later. @throws StepFailed; the old state is as good
+     * as before.
+     */
+    State
+    advance(const State &old_state, const double step_size);
+
+  private:
+    // The multipliers of an iterate and how they changed.
+    struct Iterate
+    {
+      std::vector<double> multipliers;
+      double              force_change; // over the largest force
+      double              motion;       // largest of the correction, m
+    };
+
+    void
+    balance_initial_acceleration(State &state);
+
+    typename EffectiveSystem<dim>::Factors
+    effective_factors(const double step_size) const;
+
+    std::vector<SurfacePoint<dim>>
+    evaluate_contact(const State &state) const;
+
+    // Accelerations and velocities that belong to the displacement of `state`.
+    void
+    update_rates(const State &old_state,
+                 const double step_size,
+                 State       &state) const;
+
+    // Without contact forces.
+    dealii::Vector<double>
+    residual(const State &old_state, const State &state) const;
+
+    // Largest unbalanced force over the largest force.
+    double
+    imbalance(const State                          &state,
+              dealii::Vector<double>                residual,
+              const std::vector<SurfacePoint<dim>> &points,
+              const std::vector<double>            &multipliers) const;
+
+    bool
+    is_solved(const State                          &state,
+              const std::vector<SurfacePoint<dim>> &points,
+              const Iterate                        &iterate) const;
+
+    Iterate
+    improve(const dealii::Vector<double>         &residual,
+            const std::vector<SurfacePoint<dim>> &points,
+            const Iterate                        &iterate,
+            State                                &state);
+
+    void
+    finish(const State                          &old_state,
+           const std::vector<SurfacePoint<dim>> &points,
+           const std::vector<double>            &multipliers,
+           State                                &state);
+
+    const SolidModel<dim>   &solid_;
+    const ContactModel<dim> &contact_;
+    Settings                 settings_;
+    Timings                 &timings_;
+    GeneralizedAlpha         scheme_;
+    double                   multiplier_factor_;
+    EffectiveSystem<dim>     system_;
+    double                   largest_mass_; // of a node, kg
+    unsigned int             section_residual_;
+    unsigned int             section_contact_;
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,190 @@
+#ifndef signorini_solid_body_h
+#define signorini_solid_body_h
+
+#include <signorini/geometry/mesh.h>
+#include <signorini/material/material.h>
+#include <signorini/solid/formulation.h>
+#include <signorini/space_time_function.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Signorini
+{
+  /** A node: the place in the reference position and its unknowns. */
+  template <int dim>
+  struct Node
+  {
+    dealii::Point<dim>            point;
+    std::array<unsigned int, dim> dofs; // global, one a component
+  };
+
+  /**
+   * One deformable body: mesh, finite elements, material. The unknowns of all
+   * bodies are counted through; those of this body are the n_dofs() from
+   * first_dof() on.
+   */
+  template <int dim>
+  class Body
+  {
+  public:
+    /** Declares the entries of a section `Body NAME`, from inside it. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /**
+     * Reads the section, from inside it.
+     * @param base_directory where the paths of mesh files start
+     * @throws InputError
+     */
+    Body(const std::string        &name,
+         const Formulation         formulation,
+         const std::string        &base_directory,
+         const unsigned int        first_dof,
+         dealii::ParameterHandler &prm);
+
+    const std::string &
+    name() const
+    {
+      return name_;
+    }
+
+    Formulation
+    formulation() const
+    {
+      return formulation_;
+    }
+
+    const Mesh<dim> &
+    mesh() const
+    {
+      return mesh_;
+    }
+
+    /** Displacement element: dim copies of scalar_fe(). */
+    const dealii::FESystem<dim> &
+    fe() const
+    {
+      return *fe_;
+    }
+
+    const dealii::FE_Q<dim> &
+    scalar_fe() const
+    {
+      return *scalar_fe_;
+    }
+
+    const dealii::Mapping<dim> &
+    mapping() const
+    {
+      return *mapping_;
+    }
+
+    const dealii::DoFHandler<dim> &
+    dof_handler() const
+    {
+      return *dof_handler_;
+    }
+
+    const Material &
+    material() const
+    {
+      return *material_;
+    }
+
+    /** m; 1 unless the formulation is plane. */
+    double
+    thickness() const
+    {
+      return thickness_;
+    }
+
+    /** a in C = a M + b K, 1/s. */
+    double
+    mass_damping() const
+    {
+      return mass_damping_;
+    }
+
+    /** b in C = a M + b K, s. */
+    double
+    stiffness_damping() const
+    {
+      return stiffness_damping_;
+    }
+
+    unsigned int
+    first_dof() const
+    {
+      return first_dof_;
+    }
+
+    unsigned int
+    n_dofs() const
+    {
+      return dof_handler_->n_dofs();
+    }
+
+    /** All nodes, in no particular order. */
+    const std::vector<Node<dim>> &
+    nodes() const
+    {
+      return nodes_;
+    }
+
+    /** The nodes on a boundary; hanging ones included. */
+    std::vector<Node<dim>>
+    boundary_nodes(const std::string &boundary) const;
+
+    /**
+     * The node next to a point.
+     * @param entry the path of the entry that asks, for the message
+     * @throws InputError when the point lies farther from it than the body's
+     * smallest cell is wide.
+     */
+    const Node<dim> &
+    node_near(const dealii::Point<dim> &point, const std::string &entry) const;
+
+    /** The body's part of a vector over all unknowns. */
+    dealii::Vector<double>
+    extract(const dealii::Vector<double> &global) const;
+
+    /** volume_factor() of this body: thickness, 2 pi r, or 1. */
+    double
+    volume_factor(const dealii::Point<dim> &point) const
+    {
+      return Signorini::volume_factor(formulation_, point, thickness_);
+    }
+
+  private:
+    void
+    distribute_dofs(const unsigned int degree);
+
+    std::string                              name_;
+    Formulation                              formulation_;
+    Mesh<dim>                                mesh_;
+    std::unique_ptr<dealii::FE_Q<dim>>       scalar_fe_;
+    std::unique_ptr<dealii::FESystem<dim>>   fe_;
+    std::unique_ptr<dealii::Mapping<dim>>    mapping_;
+    std::unique_ptr<dealii::DoFHandler<dim>> dof_handler_;
+    std::unique_ptr<Material>                material_;
+    double                                   thickness_;
+    double                                   mass_damping_;
+    double                                   stiffness_damping_;
+    unsigned int                             first_dof_;
+    std::vector<Node<dim>>                   nodes_;
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,93 @@
+#ifndef signorini_solid_loads_h
+#define signorini_solid_loads_h
+
+#include <signorini/solid/body.h>
+#include <signorini/space_time_function.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * The loads on a body: tractions, pressures, forces on the volume and at
+   * points, each a function of the reference position and of time.
+   */
+  template <int dim>
+  class Loads
+  {
+  public:
+    /** Declares the section `Loads`. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Reads the section `Loads` of this body. @throws InputError. */
+    Loads(const Body<dim>          &body,
+          const Constants          &constants,
+          dealii::ParameterHandler &prm);
+
+    /** False if the forces are the same at all times. */
+    bool
+    depend_on_time() const;
+
+    /**
+     * Adds the nodal forces (N) at this time to a vector over all unknowns.
+     *   F_a = int N_a b dV + int N_a t dA + point forces
+     * with b the body force, density times gravity and the centrifugal
+     * density omega^2 (distance vector to the axis), t the traction and minus
+     * the pressure times the outward normal.
+     */
+    void
+    add_forces(const double time, dealii::Vector<double> &forces) const;
+
+  private:
+    using Function = SpaceTimeFunction<dim>;
+
+    struct BoundaryLoad
+    {
+      dealii::types::boundary_id boundary;
+      bool                       is_pressure;
+      Function                   value;
+    };
+
+    struct PointForce
+    {
+      Node<dim> node;
+      Function  value;
+    };
+
+    void
+    parse_boundary_loads(const std::string        &entry_name,
+                         const bool                is_pressure,
+                         const Constants          &constants,
+                         dealii::ParameterHandler &prm);
+
+    void
+    parse_point_forces(const Constants          &constants,
+                       dealii::ParameterHandler &prm);
+
+    void
+    parse_rotation(const Constants &constants, dealii::ParameterHandler &prm);
+
+    dealii::Tensor<1, dim>
+    force_density(const dealii::Point<dim> &point, const double time) const;
+
+    void
+    add_volume_forces(const double time, dealii::Vector<double> &forces) const;
+
+    void
+    add_boundary_forces(const double            time,
+                        dealii::Vector<double> &forces) const;
+
+    const Body<dim>          *body_;
+    std::vector<Function>     body_forces_;   // N/m^3
+    std::vector<Function>     accelerations_; // m/s^2
+    std::vector<Function>     rotation_;      // rad/s; none or one
+    dealii::Point<dim>        rotation_centre_;
+    dealii::Tensor<1, dim>    rotation_axis_; // zero in the plane
+    std::vector<BoundaryLoad> boundary_loads_;
+    std::vector<PointForce>   point_forces_;
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,180 @@
+#ifndef signorini_solid_solid_model_h
+#define signorini_solid_solid_model_h
+
+#include <signorini/solid/body.h>
+#include <signorini/solid/loads.h>
+#include <signorini/solid/mass_redistribution.h>
+#include <signorini/solid/supports.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * All deformable bodies together: their unknowns in one count, their forces
+   * and matrices. Knows nothing of contact but which nodes lose their mass.
+   */
+  template <int dim>
+  class SolidModel
+  {
+  public:
+    /** One more body, with its loads and supports. */
+    struct Part
+    {
+      std::unique_ptr<Body<dim>> body;
+      Loads<dim>                 loads;
+      Supports<dim>              supports;
+    };
+
+    /** How inertia is discretised. */
+    struct Inertia
+    {
+      bool        present      = true; // false: static
+      bool        lumped       = false;
+      ContactMass contact_mass = ContactMass::consistent;
+
+      // One list a body, of the nodes that may come into contact.
+      std::vector<std::vector<Node<dim>>> contact_nodes;
+    };
+
+    explicit SolidModel(std::vector<Part> parts);
+
+    /**
+     * Builds the sparsity pattern and assembles stiffness, mass and damping.
+     * @throws InputError when a body of a dynamic run has no mass.
+     */
+    void
+    assemble(const Inertia &inertia);
+
+    const std::vector<Part> &
+    parts() const
+    {
+      return parts_;
+    }
+
+    /** The body of this name. @throws InputError with the list of names. */
+    const Body<dim> &
+    body(const std::string &name, const std::string &entry) const;
+
+    unsigned int
+    n_dofs() const
+    {
+      return is_fixed_.size();
+    }
+
+    /** Unknowns that are not solved for: given motion, hanging nodes. */
+    const std::vector<bool> &
+    is_fixed() const
+    {
+      return is_fixed_;
+    }
+
+    /** True if no unknown has a motion that depends on time. */
+    bool
+    supports_are_fixed() const
+    {
+      return supports_are_fixed_;
+    }
+
+    /** Constraints of hanging nodes. */
+    const dealii::AffineConstraints<double> &
+    constraints() const
+    {
+      return constraints_;
+    }
+
+    const dealii::SparsityPattern &
+    sparsity() const
+    {
+      return sparsity_;
+    }
+
+    const dealii::SparseMatrix<double> &
+    stiffness() const
+    {
+      return stiffness_;
+    }
+
+    const dealii::SparseMatrix<double> &
+    mass() const
+    {
+      return mass_;
+    }
+
+    /** a M + b K; empty when no body is damped. */
+    const dealii::SparseMatrix<double> &
+    damping() const
+    {
+      return damping_;
+    }
+
+    bool
+    is_damped() const
+    {
+      return !damping_.empty();
+    }
+
+    const MassRedistribution &
+    mass_redistribution() const
+    {
+      return redistribution_;
+    }
+
+    /** F_int(U), N. */
+    dealii::Vector<double>
+    internal_force(const dealii::Vector<double> &displacement) const;
+
+    /** F(t), N; at given unknowns the load on the support. */
+    const dealii::Vector<double> &
+    external_force(const double time) const;
+
+    /** Given motions at this time, and hanging nodes after their masters. */
+    void
+    apply_supports(const double            time,
+                   dealii::Vector<double> &displacement) const;
+
+    void
+    apply_support_rates(const double            time,
+                        const double            step_size,
+                        dealii::Vector<double> &velocity,
+                        dealii::Vector<double> &acceleration) const;
+
+    /**
+     * Static work of the loads at t = end: the stiffness |R|^2/(F.u) of the
+     * bodies where they are loaded, with K u = F and R the resultant of F.
+     * Unit: N/m. @throws InputError when there is no load or no stiffness.
+     */
+    double
+    stiffness_at_load(const double time) const;
+
+  private:
+    void
+    build_sparsity();
+    void
+    assemble_inertia(const Inertia &inertia);
+
+    std::vector<Part>                 parts_;
+    dealii::AffineConstraints<double> constraints_;
+    std::vector<bool>                 is_hanging_;
+    std::vector<bool>                 is_fixed_;
+    MassRedistribution                redistribution_;
+    dealii::SparsityPattern           sparsity_;
+    dealii::SparseMatrix<double>      stiffness_;
+    dealii::SparseMatrix<double>      mass_;
+    dealii::SparseMatrix<double>      damping_;
+    bool                              loads_vary_;
+    bool                              supports_are_fixed_;
+
+    // The forces last asked for, and their time.
+    mutable double                 force_time_;
+    mutable dealii::Vector<double> force_;
+  };
+} // namespace Signorini
+
+#endif

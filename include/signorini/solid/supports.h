@@ -1,0 +1,72 @@
+#ifndef signorini_solid_supports_h
+#define signorini_solid_supports_h
+
+#include <signorini/solid/body.h>
+#include <signorini/space_time_function.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * The unknowns of a body whose motion is given: fixed ones and those that
+   * follow a function of place and time.
+   */
+  template <int dim>
+  class Supports
+  {
+  public:
+    /** Declares the section `Supports`. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Reads the section `Supports` of this body. @throws InputError. */
+    Supports(const Body<dim>          &body,
+             const Constants          &constants,
+             dealii::ParameterHandler &prm);
+
+    /** Marks the unknowns that are given. */
+    void
+    mark(std::vector<bool> &is_fixed) const;
+
+    /** Writes the given displacements (m) at this time into a vector. */
+    void
+    set_displacements(const double            time,
+                      dealii::Vector<double> &displacement) const;
+
+    /**
+     * Writes the velocities and accelerations of the given motion, by central
+     * differences over a hundredth of the step size. Newmark's formulas would
+     * let them ring, since nothing follows from these values.
+     */
+    void
+    set_rates(const double            time,
+              const double            step_size,
+              dealii::Vector<double> &velocity,
+              dealii::Vector<double> &acceleration) const;
+
+    /** True if every node stays where it is for all times. */
+    bool
+    are_fixed() const;
+
+  private:
+    struct Prescribed
+    {
+      unsigned int                  dof;
+      dealii::Point<dim>            point;
+      const SpaceTimeFunction<dim> *motion; // none: fixed
+    };
+
+    void
+    add(const std::vector<Node<dim>> &nodes,
+        const unsigned int            component,
+        const SpaceTimeFunction<dim> *motion);
+
+    std::vector<Prescribed>                              prescribed_;
+    std::vector<std::unique_ptr<SpaceTimeFunction<dim>>> motions_;
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef signorini_time_time_parameters_h
+#define signorini_time_time_parameters_h
+
+#include <signorini/time/generalized_alpha.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Signorini
+{
+  /** The section `Time` of the .prm: what is integrated, and how. */
+  struct TimeParameters
+  {
+    bool             dynamic = true;
+    double           end_time;          // s
+    double           step_size;         // s
+    double           minimal_step_size; // s
+    GeneralizedAlpha scheme;
+    std::string      contact_mass; // consistent | redistributed | affine
+    bool             return_contact_work;
+    bool             lump_mass;
+    unsigned int     maximal_iterations;
+    double           residual_tolerance;
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /** @throws InputError when a combination makes no sense. */
+    static TimeParameters
+    parse(dealii::ParameterHandler &prm);
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,157 @@
+#ifndef signorini_variational_inequality_interface_problem_h
+#define signorini_variational_inequality_interface_problem_h
+
+#include <signorini/variational_inequality/interface_stiffness.h>
+#include <signorini/variational_inequality/row_responses.h>
+#include <signorini/variational_inequality/sparse_row.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /** One candidate contact: the gap after the step is gap - normal . du. */
+  struct InterfaceContact
+  {
+    SparseRow normal;   // A_k, 1
+    double    gap = 0.; // G_k, m
+  };
+
+  /**
+   * The contact problem of one iteration, condensed on the interface:
+   *
+   *   min 1/2 du^T S du - du^T r   subject to   A du <= G,
+   *
+   * du in m, r in N, S in N/m. In 2-D, forces are per thickness.
+   *
+   * Data and what follows from it, no state of an algorithm. Derived values
+   * are computed on first use and kept while what they depend on stays the
+   * same; above all the responses S^-1 A_k^T, which cost two triangular
+   * solves each. Not safe to share between threads.
+   */
+  class InterfaceProblem
+  {
+  public:
+    /** Takes the stiffness over. Responses are forgotten, and the force, which
+     * may be given in terms of the factor, has to be set again. */
+    void
+    set_stiffness(InterfaceStiffness &&new_stiffness);
+
+    /** The force @p r on the condensed interface, without contact forces. */
+    void
+    set_force(const dealii::Vector<double> &r);
+
+    /** The same, given as y = L^-1 r: the trailing part of the forward
+     * substitution of the sparse factor. Saves two triangular products. */
+    void
+    set_reduced_force(const dealii::Vector<double> &y);
+
+    /** A response is kept if its row is the same as before under the same
+     * index: list the contacts in the same order in every step. */
+    void
+    set_contacts(std::vector<InterfaceContact> new_contacts);
+
+    /** Changes a gap only, e.g. over a flat rigid target. */
+    void
+    set_gap(const unsigned int k, const double gap);
+
+    /** n, the number of interface DoFs. */
+    unsigned int
+    size() const
+    {
+      return interface_stiffness.size();
+    }
+
+    unsigned int
+    n_contacts() const
+    {
+      return contacts.size();
+    }
+
+    const InterfaceStiffness &
+    stiffness() const
+    {
+      return interface_stiffness;
+    }
+
+    const InterfaceContact &
+    contact(const unsigned int k) const
+    {
+      AssertIndexRange(k, contacts.size());
+      return contacts[k];
+    }
+
+    /** r, N. */
+    const dealii::Vector<double> &
+    force() const;
+
+    /** S^-1 r, m: the displacement if no contact force acted. */
+    const dealii::Vector<double> &
+    free_displacement() const;
+
+    /** G - A S^-1 r, m: the gaps if no contact force acted. */
+    const std::vector<double> &
+    free_gaps() const;
+
+    /** Gap of contact @p k after the displacement @p du, m. */
+    double
+    gap_after(const unsigned int k, const dealii::Vector<double> &du) const
+    {
+      return contacts[k].gap - contacts[k].normal.dot(du);
+    }
+
+    /** S^-1 A_k^T, m/N: n numbers. A reference stays valid until the stiffness
+     * or the contacts are set. */
+    const dealii::Vector<double> &
+    response(const unsigned int k) const;
+
+    /** Computes the missing responses of several contacts in one block. */
+    void
+    prepare_responses(const std::vector<unsigned int> &wanted) const;
+
+    /** Is the response of contact @p k at hand without computing? */
+    bool
+    knows_response(const unsigned int k) const
+    {
+      return responses.is_known(k);
+    }
+
+    /** A_j S^-1 A_k^T, m/N. */
+    double
+    compliance(const unsigned int j, const unsigned int k) const
+    {
+      return contacts[j].normal.dot(response(k));
+    }
+
+  private:
+    InterfaceStiffness            interface_stiffness;
+    std::vector<InterfaceContact> contacts;
+
+    // Which of r, y was given or is computed already.
+    mutable bool                   force_known         = false;
+    mutable bool                   reduced_force_known = false;
+    mutable dealii::Vector<double> condensed_force;
+    mutable dealii::Vector<double> reduced_force;
+
+    mutable bool                   free_displacement_known = false;
+    mutable dealii::Vector<double> displacement_without_contact;
+
+    mutable bool                free_gaps_known = false;
+    mutable std::vector<double> gaps_without_contact;
+
+    mutable RowResponses responses;
+  };
+
+  /** What an algorithm finds. */
+  struct InterfaceSolution
+  {
+    dealii::Vector<double> displacement;  // du, m
+    std::vector<double>    normal_forces; // lambda_k >= 0, N
+
+    // Faces minimised on, or updates of the multipliers; 0 if all is open.
+    unsigned int n_iterations = 0;
+  };
+} // namespace Signorini
+
+#endif

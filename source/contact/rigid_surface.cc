@@ -1,0 +1,93 @@
+#include <signorini/contact/plane.h>
+#include <signorini/contact/rigid_surface.h>
+#include <signorini/contact/sphere.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    struct Shape
+    {
+      std::function<void(ParameterHandler &)> declare;
+      std::function<std::unique_ptr<RigidSurface<dim>>(ParameterHandler &,
+                                                       const std::string &)>
+        create;
+    };
+
+    template <int dim>
+    Shape<dim>
+    round_shape(const std::string &name)
+    {
+      return {[name](ParameterHandler &prm) {
+                Sphere<dim>::declare_parameters(prm, name);
+              },
+              [name](ParameterHandler &prm, const std::string &section) {
+                return Sphere<dim>::create(prm, name, section);
+              }};
+    }
+
+    // The one list of rigid shapes, by their .prm names.
+    template <int dim>
+    std::map<std::string, Shape<dim>>
+    shapes()
+    {
+      std::map<std::string, Shape<dim>> list = {
+        {"plane", {&Plane<dim>::declare_parameters, &Plane<dim>::create}}};
+      if (dim == 2)
+        list["circle"] = round_shape<dim>("Circle");
+      else
+        {
+          list["sphere"]   = round_shape<dim>("Sphere");
+          list["cylinder"] = round_shape<dim>("Cylinder");
+        }
+      return list;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  declare_rigid_surface_parameters(ParameterHandler &prm)
+  {
+    std::string names;
+    for (const auto &[name, shape] : shapes<dim>())
+      names += (names.empty() ? "" : "|") + name;
+    prm.declare_entry("Shape",
+                      "plane",
+                      Patterns::Selection(names),
+                      "Its shape; the section of this name describes it. A "
+                      "plane is a straight line in 2-D; in axisymmetric runs a "
+                      "circle on the axis is a sphere.");
+    for (const auto &[name, shape] : shapes<dim>())
+      shape.declare(prm);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<RigidSurface<dim>>
+  create_rigid_surface(ParameterHandler &prm, const std::string &section)
+  {
+    return shapes<dim>().at(prm.get("Shape")).create(prm, section);
+  }
+
+
+
+  template void
+  declare_rigid_surface_parameters<2>(ParameterHandler &);
+  template void
+  declare_rigid_surface_parameters<3>(ParameterHandler &);
+  template std::unique_ptr<RigidSurface<2>>
+  create_rigid_surface<2>(ParameterHandler &, const std::string &);
+  template std::unique_ptr<RigidSurface<3>>
+  create_rigid_surface<3>(ParameterHandler &, const std::string &);
+} // namespace Signorini

@@ -1,0 +1,61 @@
+#include <signorini/geometry/ball.h>
+#include <signorini/geometry/empty_mesh.h>
+#include <signorini/geometry/entries.h>
+#include <signorini/geometry/mesh_refinement.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/grid_generator.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::string
+    section_name()
+    {
+      return dim == 2 ? "Disc" : "Ball";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Ball<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection(section_name<dim>());
+    RoundShape<dim>::declare_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  Ball<dim>::parse_parameters(const ParameterHandler &prm)
+  {
+    shape = RoundShape<dim>::parse(Entries(prm, section_name<dim>()));
+  }
+
+
+
+  template <int dim>
+  Mesh<dim>
+  Ball<dim>::create() const
+  {
+    Mesh<dim> mesh = empty_mesh<dim>();
+    GridGenerator::hyper_ball_balanced(*mesh.triangulation,
+                                       shape.center,
+                                       shape.radius);
+    mesh.boundaries["rim"] = 0;
+    attach_round_manifolds(*mesh.triangulation, shape.center, 0);
+    refine_globally(*mesh.triangulation, shape.initial_refinements);
+    return mesh;
+  }
+
+  template class Ball<2>;
+  template class Ball<3>;
+} // namespace Signorini

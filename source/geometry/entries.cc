@@ -1,0 +1,108 @@
+#include <signorini/geometry/entries.h>
+#include <signorini/input_error.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <limits>
+#include <utility>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  Entries::Entries(const ParameterHandler &prm, std::string section)
+    : prm(prm)
+    , section(std::move(section))
+  {}
+
+
+
+  std::string
+  Entries::text(const std::string &entry) const
+  {
+    return section.empty() ? prm.get(entry) : prm.get({section}, entry);
+  }
+
+
+
+  double
+  Entries::number(const std::string &entry) const
+  {
+    return numbers(entry).front();
+  }
+
+
+
+  double
+  Entries::positive(const std::string &entry) const
+  {
+    const double value = number(entry);
+    if (!(value > 0.))
+      refuse(entry, "must be greater than zero.");
+    return value;
+  }
+
+
+
+  unsigned int
+  Entries::count(const std::string &entry, const unsigned int minimum) const
+  {
+    return counts(entry, minimum).front();
+  }
+
+
+
+  std::vector<double>
+  Entries::numbers(const std::string &entry) const
+  {
+    return Utilities::string_to_double(
+      Utilities::split_string_list(text(entry), ','));
+  }
+
+
+
+  std::vector<unsigned int>
+  Entries::counts(const std::string &entry, const unsigned int minimum) const
+  {
+    std::vector<unsigned int> result;
+    for (const double value : numbers(entry))
+      {
+        if (value < minimum)
+          refuse(entry,
+                 "must not be less than " + std::to_string(minimum) + ".");
+        if (value > std::numeric_limits<int>::max())
+          refuse(entry, "is too large.");
+        result.push_back(static_cast<unsigned int>(value));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  Entries::point(const std::string &entry) const
+  {
+    const std::vector<double> coordinates = numbers(entry);
+    AssertDimension(coordinates.size(), dim);
+    Point<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = coordinates[d];
+    return result;
+  }
+
+
+
+  void
+  Entries::refuse(const std::string &entry, const std::string &rule) const
+  {
+    throw InputError((section.empty() ? "" : section + " / ") + entry + " = " +
+                     text(entry) + ": " + rule);
+  }
+
+  template Point<2>
+  Entries::point<2>(const std::string &) const;
+  template Point<3>
+  Entries::point<3>(const std::string &) const;
+} // namespace Signorini

@@ -1,0 +1,27 @@
+#include <signorini/geometry/mesh.h>
+#include <signorini/input_error.h>
+#include <signorini/nearest_name.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  types::boundary_id
+  Mesh<dim>::boundary(const std::string &name) const
+  {
+    const auto found = boundaries.find(name);
+    if (found != boundaries.end())
+      return found->second;
+
+    std::vector<std::string> names;
+    for (const auto &entry : boundaries)
+      names.push_back(entry.first);
+    throw InputError("The mesh has no boundary \"" + name +
+                     "\". Its boundaries are: " + comma_separated(names) + "." +
+                     did_you_mean(name, names));
+  }
+
+  template struct Mesh<2>;
+  template struct Mesh<3>;
+} // namespace Signorini

@@ -1,0 +1,201 @@
+#include <signorini/simulation/energy_balance.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    bool
+    is_dynamic(const SolidModel<dim> &solid)
+    {
+      return !solid.mass().empty();
+    }
+
+    std::vector<double>
+    sum(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      std::vector<double> result(a);
+      for (unsigned int k = 0; k < b.size(); ++k)
+        result[k] += b[k];
+      return result;
+    }
+
+    // Work sum_k (lambda_n + lambda_np)/2 (g_np - g_n) of a step, J.
+    double
+    spurious_contact_work(const State &old_state, const State &state)
+    {
+      double work = 0.;
+      for (unsigned int k = 0; k < state.gaps.size(); ++k)
+        work += 0.5 * (old_state.normal_forces[k] + state.normal_forces[k]) *
+                (state.gaps[k] - old_state.gaps[k]);
+      return work;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  measure_energy(const SolidModel<dim> &solid, State &state)
+  {
+    state.energy.stored = 0.5 * (state.displacement * state.internal_force);
+    if (is_dynamic(solid))
+      state.energy.kinetic =
+        0.5 * solid.mass().matrix_norm_square(state.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  measure_support_forces(const SolidModel<dim>                &solid,
+                         const ContactModel<dim>              &contact,
+                         const std::vector<SurfacePoint<dim>> &points,
+                         State                                &state)
+  {
+    if (solid.supports_are_fixed())
+      return; // their forces do no work
+    Vector<double> force(state.internal_force);
+    force -= state.external_force;
+    Vector<double> product(force.size());
+    if (is_dynamic(solid))
+      {
+        solid.mass().vmult(product, state.acceleration);
+        force += product;
+      }
+    if (solid.is_damped())
+      {
+        solid.damping().vmult(product, state.velocity);
+        force += product;
+      }
+    contact.add_contact_forces(points, state.normal_forces, -1., force);
+    for (unsigned int i = 0; i < force.size(); ++i)
+      state.support_force[i] = solid.is_fixed()[i] ? force[i] : 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  measure_work(const SolidModel<dim>                &solid,
+               const ContactModel<dim>              &contact,
+               const State                          &old_state,
+               const std::vector<SurfacePoint<dim>> &points,
+               State                                &state)
+  {
+    Vector<double> motion(state.displacement);
+    motion -= old_state.displacement;
+    EnergyLedger &energy = state.energy;
+    energy.loads +=
+      0.5 * (motion * old_state.external_force + motion * state.external_force);
+    if (!solid.supports_are_fixed())
+      energy.supports +=
+        0.5 * (motion * old_state.support_force + motion * state.support_force);
+
+    Vector<double> force(motion.size());
+    contact.add_contact_forces(
+      points, sum(old_state.normal_forces, state.normal_forces), 0.5, force);
+    energy.contact += motion * force;
+
+    if (solid.is_damped())
+      {
+        Vector<double> velocity(state.velocity);
+        velocity.sadd(0.5, 0.5, old_state.velocity);
+        energy.damping += (state.time - old_state.time) *
+                          solid.damping().matrix_norm_square(velocity);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  return_contact_work(const SolidModel<dim>                &solid,
+                      const ContactModel<dim>              &contact,
+                      const State                          &old_state,
+                      const std::vector<SurfacePoint<dim>> &points,
+                      EffectiveSystem<dim>                 &system,
+                      State                                &state)
+  {
+    const double debt =
+      old_state.contact_debt - spurious_contact_work(old_state, state);
+    state.contact_debt = debt;
+
+    // Rounding is no work.
+    const double energy = old_state.energy.kinetic + old_state.energy.stored;
+    if (std::abs(debt) <= 1e-14 * energy)
+      return;
+
+    Vector<double> force(solid.n_dofs());
+    contact.add_contact_forces(
+      points, sum(old_state.normal_forces, state.normal_forces), 1., force);
+    if (force.all_zero())
+      return;
+    Vector<double> direction = system.respond(force);
+    solid.mass_redistribution().extrapolate(direction);
+
+    Vector<double> momentum(direction.size());
+    solid.mass().vmult(momentum, direction);
+    const double a            = 0.5 * (direction * momentum);
+    const double b            = state.velocity * momentum;
+    const double discriminant = b * b + 4. * a * debt;
+    double       s;
+    if (discriminant >= 0.)
+      {
+        s = 2. * debt / (b + std::copysign(std::sqrt(discriminant), b));
+        state.contact_debt = 0.;
+      }
+    else
+      {
+        s                  = -0.5 * b / a;
+        state.contact_debt = debt + 0.25 * b * b / a;
+      }
+    state.velocity.add(s, direction);
+    state.energy.returned += debt - state.contact_debt;
+  }
+
+
+
+  template void
+  measure_energy(const SolidModel<2> &, State &);
+  template void
+  measure_energy(const SolidModel<3> &, State &);
+  template void
+  measure_support_forces(const SolidModel<2> &,
+                         const ContactModel<2> &,
+                         const std::vector<SurfacePoint<2>> &,
+                         State &);
+  template void
+  measure_support_forces(const SolidModel<3> &,
+                         const ContactModel<3> &,
+                         const std::vector<SurfacePoint<3>> &,
+                         State &);
+  template void
+  measure_work(const SolidModel<2> &,
+               const ContactModel<2> &,
+               const State &,
+               const std::vector<SurfacePoint<2>> &,
+               State &);
+  template void
+  measure_work(const SolidModel<3> &,
+               const ContactModel<3> &,
+               const State &,
+               const std::vector<SurfacePoint<3>> &,
+               State &);
+  template void
+  return_contact_work(const SolidModel<2> &,
+                      const ContactModel<2> &,
+                      const State &,
+                      const std::vector<SurfacePoint<2>> &,
+                      EffectiveSystem<2> &,
+                      State &);
+  template void
+  return_contact_work(const SolidModel<3> &,
+                      const ContactModel<3> &,
+                      const State &,
+                      const std::vector<SurfacePoint<3>> &,
+                      EffectiveSystem<3> &,
+                      State &);
+} // namespace Signorini

@@ -1,0 +1,157 @@
+#include <signorini/named_list.h>
+#include <signorini/simulation/history_columns.h>
+
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // What happens on one pair.
+    template <int dim>
+    struct PairResult
+    {
+      unsigned int   n_contacts = 0;
+      Tensor<1, dim> force;
+      double         pressure_max  = 0.;
+      double         pressure_mean = 0.;
+      double         gap_min       = std::numeric_limits<double>::max();
+    };
+
+    template <int dim>
+    PairResult<dim>
+    pair_result(const ContactPair<dim>               &pair,
+                const std::vector<SurfacePoint<dim>> &points,
+                const State                          &state)
+    {
+      PairResult<dim> result;
+      double          total_force = 0., total_area = 0.;
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k     = pair.first_contact + n;
+          const double       force = state.normal_forces[k];
+          result.gap_min           = std::min(result.gap_min, state.gaps[k]);
+          if (force <= 0.)
+            continue;
+          ++result.n_contacts;
+          result.force += force * points[k].normal;
+          total_force += force;
+          total_area += pair.contactor.areas[n];
+          if (pair.contactor.areas[n] > 0.)
+            result.pressure_max =
+              std::max(result.pressure_max, force / pair.contactor.areas[n]);
+        }
+      if (total_area > 0.)
+        result.pressure_mean = total_force / total_area;
+      return result;
+    }
+  } // namespace
+
+
+
+  unsigned int
+  n_active_contacts(const State &state)
+  {
+    return std::count_if(state.normal_forces.begin(),
+                         state.normal_forces.end(),
+                         [](const double force) { return force > 0.; });
+  }
+
+
+
+  template <int dim>
+  void
+  add_history_columns(const Problem<dim> &problem, History &history)
+  {
+    history.add_column("iterations", "");
+    history.add_column("residual", "");
+    history.add_column("kkt_residual", "");
+    for (const auto &monitor : problem.output.monitors)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          history.add_column(monitor.name + ".displacement_" +
+                               component_name(c),
+                             "m");
+        for (unsigned int c = 0; c < dim; ++c)
+          history.add_column(monitor.name + ".velocity_" + component_name(c),
+                             "m/s");
+      }
+    for (const auto &pair : problem.contact->pairs())
+      {
+        history.add_column(pair.name + ".contacts", "");
+        for (unsigned int c = 0; c < dim; ++c)
+          history.add_column(pair.name + ".force_" + component_name(c), "N");
+        history.add_column(pair.name + ".pressure_max", "Pa");
+        history.add_column(pair.name + ".pressure_mean", "Pa");
+        history.add_column(pair.name + ".gap_min", "m");
+        history.add_column(pair.name + ".penetration", "m");
+      }
+    for (const char *const name : {"energy.kinetic",
+                                   "energy.stored",
+                                   "energy.damping",
+                                   "energy.scheme_loss",
+                                   "work.loads",
+                                   "work.supports",
+                                   "work.contact",
+                                   "work.returned"})
+      history.add_column(name, "J");
+  }
+
+
+
+  template <int dim>
+  void
+  append_history_row(const Problem<dim> &problem,
+                     const State        &state,
+                     History            &history)
+  {
+    std::vector<double> row = {state.time,
+                               double(state.n_iterations),
+                               state.residual,
+                               state.kkt_residual};
+    for (const auto &monitor : problem.output.monitors)
+      {
+        for (const unsigned int dof : monitor.node.dofs)
+          row.push_back(state.displacement[dof]);
+        for (const unsigned int dof : monitor.node.dofs)
+          row.push_back(state.velocity[dof]);
+      }
+    const auto points =
+      problem.contact->evaluate(state.displacement, state.time);
+    for (const auto &pair : problem.contact->pairs())
+      {
+        const PairResult<dim> result = pair_result(pair, points, state);
+        row.push_back(result.n_contacts);
+        for (unsigned int c = 0; c < dim; ++c)
+          row.push_back(result.force[c]);
+        row.push_back(result.pressure_max);
+        row.push_back(result.pressure_mean);
+        row.push_back(result.gap_min);
+        row.push_back(std::max(0., -result.gap_min));
+      }
+    const EnergyLedger &energy = state.energy;
+    for (const double value : {energy.kinetic,
+                               energy.stored,
+                               energy.damping,
+                               energy.scheme_loss(),
+                               energy.loads,
+                               energy.supports,
+                               energy.contact,
+                               energy.returned})
+      row.push_back(value);
+    history.append_row(row);
+  }
+
+
+
+  template void
+  add_history_columns<2>(const Problem<2> &, History &);
+  template void
+  add_history_columns<3>(const Problem<3> &, History &);
+  template void
+  append_history_row<2>(const Problem<2> &, const State &, History &);
+  template void
+  append_history_row<3>(const Problem<3> &, const State &, History &);
+} // namespace Signorini

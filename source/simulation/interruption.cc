@@ -1,0 +1,47 @@
+#include <signorini/simulation/interruption.h>
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace Signorini
+{
+  namespace
+  {
+    volatile std::sig_atomic_t interrupted = 0;
+  }
+
+
+
+  // In a signal handler only functions such as write() and signal() are safe.
+  extern "C" void
+  signorini_handle_signal(const int signal_number)
+  {
+    interrupted              = 1;
+    static const char text[] = "\nStopping after this step. Press Ctrl-C again "
+                               "to stop at once.\n";
+    const auto        ignored = write(STDERR_FILENO, text, sizeof(text) - 1);
+    static_cast<void>(ignored);
+    std::signal(signal_number, SIG_DFL);
+  }
+
+
+
+  void
+  catch_interruptions()
+  {
+    interrupted = 0;
+    std::signal(SIGINT, signorini_handle_signal);
+    std::signal(SIGTERM, signorini_handle_signal);
+  }
+
+
+
+  void
+  stop_if_interrupted()
+  {
+    if (interrupted != 0)
+      throw Interrupted("Stopped as asked. The steps accepted so far are "
+                        "written.");
+  }
+} // namespace Signorini

@@ -1,0 +1,104 @@
+#include <signorini/input_error.h>
+#include <signorini/named_list.h>
+#include <signorini/simulation/output_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  OutputParameters<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.declare_entry("Directory",
+                      "output",
+                      Patterns::Anything(),
+                      "Folder in which each run gets a folder of its own, "
+                      "relative to where the program is started.");
+    prm.declare_entry("Steps between fields",
+                      "0",
+                      Patterns::Integer(0),
+                      "Write fields after so many steps each; 0: not by "
+                      "steps. The start and the end are always written.");
+    prm.declare_entry("Time between fields",
+                      "0",
+                      Patterns::Double(0.),
+                      "Write fields each time so much time has passed; 0: not "
+                      "by time. Unit: s.");
+    prm.declare_entry("Monitor",
+                      "",
+                      Patterns::Anything(),
+                      "Nodes whose displacement and velocity go into the "
+                      "history: `tip: beam at 0.2, 0.02 | foot: beam at 0, "
+                      "0'. The node next to the point is taken.");
+    prm.leave_subsection();
+    prm.enter_subsection("Expected results");
+    prm.declare_entry("Checks",
+                      "",
+                      Patterns::Anything(),
+                      "Conditions on the history and the final fields, "
+                      "separated by `|': `max(floor.penetration) = 0 +- 1e-12 "
+                      "| final(tip.displacement_y) = -5e-5 +- 1 %'. A miss is "
+                      "reported and makes the program return 4.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  OutputParameters<dim>
+  OutputParameters<dim>::parse(const SolidModel<dim> &solid,
+                               ParameterHandler      &prm)
+  {
+    OutputParameters parameters;
+    prm.enter_subsection("Output");
+    parameters.directory            = prm.get("Directory");
+    parameters.steps_between_fields = prm.get_integer("Steps between fields");
+    parameters.time_between_fields  = prm.get_double("Time between fields");
+    const std::string entry         = "Output / Monitor";
+    for (const auto &[name, place] :
+         parse_named_list(prm.get("Monitor"), entry))
+      {
+        const std::string separator = " at ";
+        const std::size_t at        = place.find(separator);
+        if (at == std::string::npos)
+          throw InputError(entry + ": found \"" + place +
+                           "\". Write \"NAME: BODY at x, y\".");
+        const Body<dim> &body =
+          solid.body(Utilities::trim(place.substr(0, at)), entry);
+        const Point<dim> point =
+          parse_point<dim>(place.substr(at + separator.size()), entry);
+        parameters.monitors.push_back({name, body.node_near(point, entry)});
+      }
+    prm.leave_subsection();
+    prm.enter_subsection("Expected results");
+    parameters.checks = prm.get("Checks");
+    prm.leave_subsection();
+    return parameters;
+  }
+
+
+
+  template <int dim>
+  bool
+  OutputParameters<dim>::fields_are_due(const unsigned int step,
+                                        const double       old_time,
+                                        const double       time) const
+  {
+    if (steps_between_fields > 0 && step % steps_between_fields == 0)
+      return true;
+    // The tolerance is for times that are sums of many step sizes.
+    const double tolerance = 1e-9;
+    return time_between_fields > 0. &&
+           std::floor(time / time_between_fields + tolerance) >
+             std::floor(old_time / time_between_fields + tolerance);
+  }
+
+
+
+  template struct OutputParameters<2>;
+  template struct OutputParameters<3>;
+} // namespace Signorini

@@ -1,0 +1,137 @@
+#include <signorini/input_error.h>
+#include <signorini/output/log.h>
+#include <signorini/output/run_folder.h>
+#include <signorini/output/timings.h>
+#include <signorini/simulation/parameter_file.h>
+#include <signorini/simulation/problem.h>
+#include <signorini/simulation/run.h>
+#include <signorini/simulation/simulation.h>
+#include <signorini/version.h>
+
+#include <deal.II/base/multithread_info.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // What is printed about a problem before the first step.
+    template <int dim>
+    std::string
+    description(const Problem<dim> &problem)
+    {
+      std::ostringstream text;
+      text << (problem.title.empty() ? "(no title)" : problem.title) << '\n';
+      for (const auto &part : problem.solid->parts())
+        text << "body " << part.body->name() << ": "
+             << part.body->mesh().triangulation->n_active_cells() << " cells, "
+             << part.body->n_dofs() << " unknowns\n";
+      const auto points =
+        problem.contact->evaluate(problem.initial_displacement, 0.);
+      for (const auto &pair : problem.contact->pairs())
+        {
+          double smallest = std::numeric_limits<double>::max();
+          for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+            smallest = std::min(smallest, points[pair.first_contact + n].gap);
+          text << "contact " << pair.name << ": " << pair.contactor.nodes.size()
+               << " candidate nodes, smallest gap " << smallest << " m\n";
+        }
+      if (problem.time.dynamic)
+        text << "time integration: alpha_B " << problem.time.scheme.alpha_B
+             << ", alpha_H " << problem.time.scheme.alpha_H << ", beta "
+             << problem.time.scheme.beta << ", gamma "
+             << problem.time.scheme.gamma << '\n';
+      if (problem.contact_parameters.algorithm.penalty_stiffness > 0.)
+        text << "penalty stiffness "
+             << problem.contact_parameters.algorithm.penalty_stiffness
+             << " N/m\n";
+      text << "threads: " << MultithreadInfo::n_threads();
+      return text.str();
+    }
+
+    void
+    write_parameters(const ParameterHandler &prm, const std::string &path)
+    {
+      std::ofstream file(path);
+      prm.print_parameters(file, ParameterHandler::ShortText);
+      file.flush();
+      if (!file)
+        throw ComputationError("Cannot write \"" + path +
+                               "\": is the disk full?");
+    }
+
+    template <int dim>
+    void
+    run_problem(const ParameterFile  &file,
+                const ProblemOutline &outline,
+                const RunOptions     &options)
+    {
+      Timings          timings;
+      ParameterHandler prm;
+      declare_problem_parameters<dim>(outline, prm);
+      file.apply(prm);
+      const auto problem = [&] {
+        const auto timing = timings.measure("set-up");
+        return Problem<dim>::create(outline, file.directory(), prm);
+      }();
+      Simulation<dim> simulation(problem, timings);
+      if (options.check_only)
+        {
+          Log("").line(file.path() + ": the input is fine\n" +
+                       description(problem));
+          return;
+        }
+
+      const std::string base = options.output_directory.empty() ?
+                                 problem.output.directory :
+                                 options.output_directory;
+      const std::string folder =
+        create_run_folder(base, file.path(), options.overwrite);
+      Log log(folder + "/run.log");
+      log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
+      log.line(description(problem));
+      log.line("results in " + folder);
+      write_parameters(prm, folder + "/parameters.prm");
+      try
+        {
+          simulation.run(folder, options.max_steps, log);
+        }
+      catch (const std::exception &error)
+        {
+          log.detail(error.what());
+          throw;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  run_problem(const std::string &prm_file, const RunOptions &options)
+  {
+    ParameterFile file = ParameterFile::read(prm_file);
+    for (const auto &assignment : options.overrides)
+      file.override_entry(assignment);
+    const ProblemOutline outline = ProblemOutline::read(file);
+    if (space_dimension(outline.formulation) == 2)
+      run_problem<2>(file, outline, options);
+    else
+      run_problem<3>(file, outline, options);
+  }
+
+
+
+  void
+  print_parameters(std::ostream &stream)
+  {
+    ParameterHandler prm;
+    declare_problem_parameters<2>(
+      {Formulation::plane_strain, {"beam"}, {"floor"}}, prm);
+    prm.print_parameters(stream, ParameterHandler::Text);
+  }
+} // namespace Signorini

@@ -1,0 +1,422 @@
+#include <signorini/simulation/energy_balance.h>
+#include <signorini/simulation/time_step.h>
+#include <signorini/variational_inequality/interface_error.h>
+
+#include <limits>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Contact forces act on massless nodes as loads do, with the weight of the
+    // new state; on nodes with mass they are fully implicit.
+    double
+    multiplier_factor(const TimeParameters &time)
+    {
+      return time.dynamic && time.contact_mass != "consistent" ?
+               1. - time.scheme.alpha_H :
+               1.;
+    }
+
+    std::unique_ptr<InterfaceAlgorithm>
+    create_algorithm(AlgorithmParameters parameters, const double factor)
+    {
+      parameters.penalty_stiffness *= factor;
+      return make_interface_algorithm(parameters);
+    }
+
+    double
+    largest_diagonal(const SparseMatrix<double> &matrix)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        largest = std::max(largest, matrix.diag_element(i));
+      return largest;
+    }
+
+    // Of the oscillations of single nodes; the true one is less than twice it.
+    template <int dim>
+    double
+    largest_frequency(const SolidModel<dim> &solid)
+    {
+      double square = 0.;
+      for (unsigned int i = 0; i < solid.n_dofs(); ++i)
+        if (!solid.is_fixed()[i] && solid.mass().diag_element(i) > 0.)
+          square = std::max(square,
+                            solid.stiffness().diag_element(i) /
+                              solid.mass().diag_element(i));
+      return std::sqrt(square);
+    }
+
+    double
+    relative_change(const std::vector<double> &old_forces,
+                    const std::vector<double> &new_forces)
+    {
+      double change = 0., largest = 0.;
+      for (unsigned int k = 0; k < new_forces.size(); ++k)
+        {
+          change  = std::max(change, std::abs(new_forces[k] - old_forces[k]));
+          largest = std::max({largest, new_forces[k], old_forces[k]});
+        }
+      return change == 0. ? 0. : change / largest;
+    }
+
+    std::string
+    failure_message(const State &state, const double force_change)
+    {
+      std::ostringstream message;
+      message << state.n_iterations
+              << " iterations did not converge: unbalanced force "
+              << state.residual << " of the largest force, change of contact "
+              << "forces " << force_change << ", interface residual "
+              << state.kkt_residual;
+      return message.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  TimeStep<dim>::TimeStep(const SolidModel<dim>   &solid,
+                          const ContactModel<dim> &contact,
+                          const Settings          &settings,
+                          Timings                 &timings)
+    : solid_(solid)
+    , contact_(contact)
+    , settings_(settings)
+    , timings_(timings)
+    , scheme_(settings.time.scheme)
+    , multiplier_factor_(multiplier_factor(settings.time))
+    , system_(solid,
+              contact,
+              create_algorithm(settings.algorithm, multiplier_factor_),
+              timings)
+    , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
+    , section_residual_(timings.add("residual and energy"))
+    , section_contact_(timings.add("gaps"))
+  {}
+
+
+
+  template <int dim>
+  State
+  TimeStep<dim>::initial_state(const Vector<double> &displacement,
+                               const Vector<double> &velocity)
+  {
+    State state;
+    state.displacement = displacement;
+    state.velocity     = velocity;
+    state.acceleration.reinit(solid_.n_dofs());
+    state.support_force.reinit(solid_.n_dofs());
+    state.normal_forces.resize(contact_.n_contacts());
+    solid_.apply_supports(0., state.displacement);
+    state.external_force = solid_.external_force(0.);
+    if (settings_.time.dynamic)
+      {
+        solid_.apply_support_rates(0.,
+                                   settings_.time.step_size,
+                                   state.velocity,
+                                   state.acceleration);
+        solid_.mass_redistribution().extrapolate(state.velocity);
+        balance_initial_acceleration(state);
+      }
+    state.internal_force = solid_.internal_force(state.displacement);
+    const auto points    = evaluate_contact(state);
+    for (const auto &point : points)
+      state.gaps.push_back(point.gap);
+    measure_support_forces(solid_, contact_, points, state);
+    measure_energy(solid_, state);
+    state.energy.initial = state.energy.kinetic + state.energy.stored;
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::balance_initial_acceleration(State &state)
+  {
+    // The motion in a time tau that is short against every oscillation of the
+    // mesh: nodes with mass move by A tau^2, those without to their balance.
+    const double tau    = 1e-4 / largest_frequency(solid_);
+    const double factor = 1. / (tau * tau);
+    system_.factorise({1., factor, 0.});
+
+    Vector<double> force = solid_.internal_force(state.displacement);
+    force.sadd(-1., 1., state.external_force);
+    Vector<double> product(force.size());
+    solid_.mass().vmult(product, state.acceleration); // of given motions
+    force -= product;
+    if (solid_.is_damped())
+      {
+        solid_.damping().vmult(product, state.velocity);
+        force -= product;
+      }
+    const auto correction =
+      system_.correct(force, evaluate_contact(state), state.normal_forces);
+    state.normal_forces = correction.multipliers;
+    for (unsigned int i = 0; i < correction.motion.size(); ++i)
+      if (solid_.mass_redistribution().is_massless(i))
+        state.displacement[i] += correction.motion[i];
+      else
+        state.acceleration[i] += factor * correction.motion[i];
+    solid_.constraints().distribute(state.displacement);
+    solid_.constraints().distribute(state.acceleration);
+    solid_.mass_redistribution().extrapolate(state.acceleration);
+  }
+
+
+
+  template <int dim>
+  typename EffectiveSystem<dim>::Factors
+  TimeStep<dim>::effective_factors(const double step_size) const
+  {
+    if (!settings_.time.dynamic)
+      return {1., 0., 0.};
+    return {1. - scheme_.alpha_H,
+            (1. - scheme_.alpha_B) * scheme_.acceleration_factor(step_size),
+            solid_.is_damped() ?
+              (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
+              0.};
+  }
+
+
+
+  template <int dim>
+  State
+  TimeStep<dim>::advance(const State &old_state, const double step_size)
+  {
+    system_.factorise(effective_factors(step_size));
+    State state = old_state;
+    ++state.step;
+    state.time += step_size;
+    state.n_iterations   = 0;
+    state.external_force = solid_.external_force(state.time);
+    if (!solid_.supports_are_fixed())
+      {
+        solid_.apply_supports(state.time, state.displacement);
+        state.internal_force = solid_.internal_force(state.displacement);
+      }
+
+    Iterate iterate = {old_state.normal_forces,
+                       std::numeric_limits<double>::max(),
+                       0.};
+    for (double &multiplier : iterate.multipliers)
+      multiplier *= multiplier_factor_;
+    while (true)
+      {
+        update_rates(old_state, step_size, state);
+        const auto           points = evaluate_contact(state);
+        const Vector<double> force  = residual(old_state, state);
+        state.residual = imbalance(state, force, points, iterate.multipliers);
+        if (is_solved(state, points, iterate))
+          {
+            finish(old_state, points, iterate.multipliers, state);
+            return state;
+          }
+        if (!std::isfinite(state.residual) ||
+            state.n_iterations >= settings_.time.maximal_iterations)
+          throw StepFailed(failure_message(state, iterate.force_change));
+        iterate = improve(force, points, iterate, state);
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  TimeStep<dim>::is_solved(const State                          &state,
+                           const std::vector<SurfacePoint<dim>> &points,
+                           const Iterate                        &iterate) const
+  {
+    if (state.n_iterations == 0 ||
+        !(state.residual <= settings_.time.residual_tolerance))
+      return false;
+    if (contact_.is_flat())
+      return true;
+    if (iterate.force_change > settings_.force_tolerance)
+      return false;
+    if (!system_.algorithm().enforces_exactly())
+      return true;
+
+    // What the curvature of a target adds to a linearised gap is of second
+    // order in the last motion.
+    const double tolerance = 1e-6 * iterate.motion + 1e-15;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (points[k].gap < -tolerance ||
+          (iterate.multipliers[k] > 0. && points[k].gap > tolerance))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  typename TimeStep<dim>::Iterate
+  TimeStep<dim>::improve(const Vector<double>                 &residual,
+                         const std::vector<SurfacePoint<dim>> &points,
+                         const Iterate                        &iterate,
+                         State                                &state)
+  {
+    try
+      {
+        auto correction =
+          system_.correct(residual, points, iterate.multipliers);
+        state.displacement += correction.motion;
+        state.kkt_residual = correction.kkt_residual;
+        ++state.n_iterations;
+        const auto timing    = timings_.measure(section_residual_);
+        state.internal_force = solid_.internal_force(state.displacement);
+        const double change =
+          relative_change(iterate.multipliers, correction.multipliers);
+        return {std::move(correction.multipliers),
+                change,
+                correction.motion.linfty_norm()};
+      }
+    catch (const InterfaceError &error)
+      {
+        throw StepFailed(error.what());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<SurfacePoint<dim>>
+  TimeStep<dim>::evaluate_contact(const State &state) const
+  {
+    const auto timing = timings_.measure(section_contact_);
+    return contact_.evaluate(state.displacement, state.time);
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::update_rates(const State &old_state,
+                              const double step_size,
+                              State       &state) const
+  {
+    if (!settings_.time.dynamic)
+      return;
+    const auto timing  = timings_.measure(section_residual_);
+    state.acceleration = scheme_.acceleration(state.displacement,
+                                              old_state.displacement,
+                                              old_state.velocity,
+                                              old_state.acceleration,
+                                              step_size);
+    state.velocity     = scheme_.velocity(state.acceleration,
+                                      old_state.velocity,
+                                      old_state.acceleration,
+                                      step_size);
+    solid_.apply_support_rates(state.time,
+                               step_size,
+                               state.velocity,
+                               state.acceleration);
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  TimeStep<dim>::residual(const State &old_state, const State &state) const
+  {
+    const auto     timing = timings_.measure(section_residual_);
+    Vector<double> force(state.external_force);
+    force -= state.internal_force;
+    if (!settings_.time.dynamic)
+      return force;
+
+    // (1-alpha_H) (F - F_int) + alpha_H (F_n - F_int,n); nodes without mass
+    // are in balance at the end of the step, whatever was before.
+    force *= 1. - scheme_.alpha_H;
+    if (scheme_.alpha_H != 0.)
+      {
+        Vector<double> history(old_state.external_force);
+        history -= old_state.internal_force;
+        solid_.mass_redistribution().clear_massless(history);
+        force.add(scheme_.alpha_H, history);
+      }
+
+    Vector<double> weighted(state.acceleration);
+    weighted.sadd(1. - scheme_.alpha_B,
+                  scheme_.alpha_B,
+                  old_state.acceleration);
+    Vector<double> product(force.size());
+    solid_.mass().vmult(product, weighted);
+    force -= product;
+    if (solid_.is_damped())
+      {
+        weighted = state.velocity;
+        weighted.sadd(1. - scheme_.alpha_H,
+                      scheme_.alpha_H,
+                      old_state.velocity);
+        solid_.damping().vmult(product, weighted);
+        force -= product;
+      }
+    return force;
+  }
+
+
+
+  template <int dim>
+  double
+  TimeStep<dim>::imbalance(const State                          &state,
+                           Vector<double>                        residual,
+                           const std::vector<SurfacePoint<dim>> &points,
+                           const std::vector<double> &multipliers) const
+  {
+    const auto timing = timings_.measure(section_residual_);
+    contact_.add_contact_forces(points, multipliers, 1., residual);
+    double largest = 0.;
+    for (unsigned int i = 0; i < residual.size(); ++i)
+      if (!solid_.is_fixed()[i])
+        largest = std::max(largest, std::abs(residual[i]));
+    if (largest == 0.)
+      return 0.;
+
+    double scale = std::max({state.external_force.linfty_norm(),
+                             state.internal_force.linfty_norm(),
+                             largest_mass_ * state.acceleration.linfty_norm()});
+    for (const double multiplier : multipliers)
+      scale = std::max(scale, multiplier);
+    return largest / scale;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::finish(const State                          &old_state,
+                        const std::vector<SurfacePoint<dim>> &points,
+                        const std::vector<double>            &multipliers,
+                        State                                &state)
+  {
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        state.normal_forces[k] = multipliers[k] / multiplier_factor_;
+        state.gaps[k]          = points[k].gap;
+      }
+    if (settings_.time.dynamic)
+      {
+        solid_.mass_redistribution().extrapolate(state.velocity);
+        solid_.mass_redistribution().extrapolate(state.acceleration);
+        if (settings_.time.return_contact_work &&
+            system_.algorithm().enforces_exactly())
+          return_contact_work(
+            solid_, contact_, old_state, points, system_, state);
+      }
+    const auto timing = timings_.measure(section_residual_);
+    measure_support_forces(solid_, contact_, points, state);
+    measure_energy(solid_, state);
+    measure_work(solid_, contact_, old_state, points, state);
+  }
+
+
+
+  template class TimeStep<2>;
+  template class TimeStep<3>;
+} // namespace Signorini

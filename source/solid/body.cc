@@ -1,0 +1,181 @@
+#include <signorini/geometry/mesh_generator.h>
+#include <signorini/input_error.h>
+#include <signorini/solid/body.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <map>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Bilinear cells need no table; for curved ones the manifold is asked once
+    // a cell instead of at every visit.
+    template <int dim>
+    std::unique_ptr<Mapping<dim>>
+    create_mapping(const unsigned int        degree,
+                   const Triangulation<dim> &triangulation)
+    {
+      if (degree == 1)
+        return std::make_unique<MappingQ<dim>>(1);
+      auto mapping = std::make_unique<MappingQCache<dim>>(degree);
+      mapping->initialize(MappingQ<dim>(degree), triangulation);
+      return mapping;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Body<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    declare_mesh_parameters<dim>(prm);
+    prm.declare_entry("Element degree",
+                      "1",
+                      Patterns::Integer(1, 6),
+                      "Polynomial degree of the displacements (FE_Q). 1: "
+                      "bilinear, 2: biquadratic with curved edges.");
+    prm.declare_entry("Thickness",
+                      "1",
+                      Patterns::Double(0.),
+                      "Thickness of a plane body; loads and contact forces "
+                      "are totals over it. Unit: m.");
+    prm.declare_entry("Mass damping",
+                      "0",
+                      Patterns::Double(0.),
+                      "a in Rayleigh's C = a M + b K. Unit: 1/s.");
+    prm.declare_entry("Stiffness damping",
+                      "0",
+                      Patterns::Double(0.),
+                      "b in Rayleigh's C = a M + b K. Unit: s.");
+    declare_material_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  Body<dim>::Body(const std::string &name,
+                  const Formulation  formulation,
+                  const std::string &base_directory,
+                  const unsigned int first_dof,
+                  ParameterHandler  &prm)
+    : name_(name)
+    , formulation_(formulation)
+    , mesh_(create_mesh<dim>(prm,
+                             base_directory,
+                             formulation == Formulation::axisymmetric ?
+                               "axisymmetric" :
+                               ""))
+    , material_(create_material(prm))
+    , thickness_(prm.get_double("Thickness"))
+    , mass_damping_(prm.get_double("Mass damping"))
+    , stiffness_damping_(prm.get_double("Stiffness damping"))
+    , first_dof_(first_dof)
+  {
+    if (thickness_ <= 0.)
+      throw InputError("Body " + name +
+                       " / Thickness: must be greater than zero.");
+    distribute_dofs(prm.get_integer("Element degree"));
+  }
+
+
+
+  template <int dim>
+  void
+  Body<dim>::distribute_dofs(const unsigned int degree)
+  {
+    scalar_fe_   = std::make_unique<FE_Q<dim>>(degree);
+    fe_          = std::make_unique<FESystem<dim>>(*scalar_fe_, dim);
+    mapping_     = create_mapping(degree, *mesh_.triangulation);
+    dof_handler_ = std::make_unique<DoFHandler<dim>>(*mesh_.triangulation);
+    dof_handler_->distribute_dofs(*fe_);
+
+    // Gather the components of each node: cell by cell the element says which
+    // of its unknowns stand at the same support point.
+    std::map<types::global_dof_index, unsigned int> node_of_first_dof;
+    std::vector<Point<dim>>                         points(n_dofs());
+    DoFTools::map_dofs_to_support_points(*mapping_, *dof_handler_, points);
+    std::vector<types::global_dof_index> indices(fe_->n_dofs_per_cell());
+    for (const auto &cell : dof_handler_->active_cell_iterators())
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int a = 0; a < scalar_fe_->n_dofs_per_cell(); ++a)
+          {
+            const auto first = indices[fe_->component_to_system_index(0, a)];
+            if (!node_of_first_dof.emplace(first, nodes_.size()).second)
+              continue;
+            Node<dim> node;
+            node.point = points[first];
+            for (unsigned int c = 0; c < dim; ++c)
+              node.dofs[c] =
+                first_dof_ + indices[fe_->component_to_system_index(c, a)];
+            nodes_.push_back(node);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<Node<dim>>
+  Body<dim>::boundary_nodes(const std::string &boundary) const
+  {
+    const IndexSet on_boundary =
+      DoFTools::extract_boundary_dofs(*dof_handler_,
+                                      ComponentMask(),
+                                      {mesh_.boundary(boundary)});
+    std::vector<Node<dim>> result;
+    for (const auto &node : nodes_)
+      if (on_boundary.is_element(node.dofs[0] - first_dof_))
+        result.push_back(node);
+    return result;
+  }
+
+
+
+  template <int dim>
+  const Node<dim> &
+  Body<dim>::node_near(const Point<dim> &point, const std::string &entry) const
+  {
+    const auto nearest = std::min_element(
+      nodes_.begin(), nodes_.end(), [&](const auto &a, const auto &b) {
+        return a.point.distance_square(point) < b.point.distance_square(point);
+      });
+    const double reach =
+      GridTools::minimal_cell_diameter(*mesh_.triangulation, *mapping_);
+    if (nearest->point.distance(point) > reach)
+      {
+        std::ostringstream message;
+        message << entry << ": the point (" << point
+                << ") lies outside of body \"" << name_
+                << "\"; its nearest node is at (" << nearest->point
+                << "). Give a point on the body.";
+        throw InputError(message.str());
+      }
+    return *nearest;
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  Body<dim>::extract(const Vector<double> &global) const
+  {
+    return Vector<double>(global.begin() + first_dof_,
+                          global.begin() + first_dof_ + n_dofs());
+  }
+
+
+
+  template class Body<2>;
+  template class Body<3>;
+} // namespace Signorini

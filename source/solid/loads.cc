@@ -1,0 +1,317 @@
+#include <signorini/input_error.h>
+#include <signorini/named_list.h>
+#include <signorini/solid/loads.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::string
+    section(const Body<dim> &body)
+    {
+      return "Body " + body.name() + " / Loads / ";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    const auto text = Patterns::Anything();
+    prm.enter_subsection("Loads");
+    prm.declare_entry("Traction",
+                      "",
+                      text,
+                      "Force per area of named boundaries, components "
+                      "separated by `;': `right: 0 ; -5e4 | top: 1e3*t ; 0'. "
+                      "Keeps its direction. Unit: Pa.");
+    prm.declare_entry("Pressure",
+                      "",
+                      text,
+                      "Pressure against named boundaries, positive into the "
+                      "body: `inner: 100e6'. Unit: Pa.");
+    prm.declare_entry("Body force",
+                      "",
+                      text,
+                      "Force per volume, components separated by `;'. Unit: "
+                      "N/m^3.");
+    prm.declare_entry("Gravity",
+                      "",
+                      text,
+                      "Acceleration that acts on the mass, components "
+                      "separated by `;': `0 ; -9.81'. Unit: m/s^2.");
+    prm.declare_entry("Point force",
+                      "",
+                      text,
+                      "Forces at the nodes next to points: `0.2, 0.02: 0 ; "
+                      "-1e3'. Unit: N.");
+    prm.declare_entry("Angular velocity",
+                      "",
+                      text,
+                      "Centrifugal load density omega^2 r, as a function of "
+                      "t. Unit: rad/s.");
+    prm.declare_entry("Rotation centre",
+                      "",
+                      text,
+                      "A point on the axis of rotation; empty: the origin. "
+                      "Axisymmetric bodies turn about their axis. Unit: m.");
+    prm.declare_entry("Rotation axis",
+                      "0, 0, 1",
+                      text,
+                      "Direction of the axis, read in three dimensions only.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  Loads<dim>::Loads(const Body<dim>  &body,
+                    const Constants  &constants,
+                    ParameterHandler &prm)
+    : body_(&body)
+  {
+    prm.enter_subsection("Loads");
+    parse_boundary_loads("Traction", false, constants, prm);
+    parse_boundary_loads("Pressure", true, constants, prm);
+    if (!prm.get("Body force").empty())
+      body_forces_.emplace_back(prm.get("Body force"),
+                                dim,
+                                constants,
+                                section(body) + "Body force");
+    if (!prm.get("Gravity").empty())
+      accelerations_.emplace_back(prm.get("Gravity"),
+                                  dim,
+                                  constants,
+                                  section(body) + "Gravity");
+    parse_point_forces(constants, prm);
+    parse_rotation(constants, prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::parse_boundary_loads(const std::string &entry_name,
+                                   const bool         is_pressure,
+                                   const Constants   &constants,
+                                   ParameterHandler  &prm)
+  {
+    const std::string entry = section(*body_) + entry_name;
+    for (const auto &[name, value] :
+         parse_named_list(prm.get(entry_name), entry))
+      try
+        {
+          boundary_loads_.push_back(
+            {body_->mesh().boundary(name),
+             is_pressure,
+             Function(value, is_pressure ? 1 : dim, constants, entry)});
+        }
+      catch (const InputError &error)
+        {
+          const std::string reason = error.what();
+          throw InputError(reason.compare(0, entry.size(), entry) == 0 ?
+                             reason :
+                             entry + ": " + reason);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::parse_point_forces(const Constants  &constants,
+                                 ParameterHandler &prm)
+  {
+    const std::string entry = section(*body_) + "Point force";
+    for (const auto &[point, value] :
+         parse_named_list(prm.get("Point force"), entry))
+      point_forces_.push_back(
+        {body_->node_near(parse_point<dim>(point, entry), entry),
+         Function(value, dim, constants, entry)});
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::parse_rotation(const Constants &constants, ParameterHandler &prm)
+  {
+    if (prm.get("Angular velocity").empty())
+      return;
+    rotation_.emplace_back(prm.get("Angular velocity"),
+                           1,
+                           constants,
+                           section(*body_) + "Angular velocity");
+    if (!prm.get("Rotation centre").empty())
+      rotation_centre_ = parse_point<dim>(prm.get("Rotation centre"),
+                                          section(*body_) + "Rotation centre");
+    if (body_->formulation() == Formulation::axisymmetric)
+      {
+        rotation_centre_  = Point<dim>();
+        rotation_axis_[1] = 1.;
+      }
+    if constexpr (dim == 3)
+      {
+        rotation_axis_ = parse_point<3>(prm.get("Rotation axis"),
+                                        section(*body_) + "Rotation axis");
+        if (rotation_axis_.norm() == 0.)
+          throw InputError(section(*body_) +
+                           "Rotation axis: has no direction.");
+        rotation_axis_ /= rotation_axis_.norm();
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  Loads<dim>::depend_on_time() const
+  {
+    const auto varies = [](const Function &f) { return f.depends_on_time(); };
+    const auto value_varies = [](const auto &load) {
+      return load.value.depends_on_time();
+    };
+    return std::any_of(body_forces_.begin(), body_forces_.end(), varies) ||
+           std::any_of(accelerations_.begin(), accelerations_.end(), varies) ||
+           std::any_of(rotation_.begin(), rotation_.end(), varies) ||
+           std::any_of(boundary_loads_.begin(),
+                       boundary_loads_.end(),
+                       value_varies) ||
+           std::any_of(point_forces_.begin(),
+                       point_forces_.end(),
+                       value_varies);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Loads<dim>::force_density(const Point<dim> &point, const double time) const
+  {
+    const double   density = body_->material().density();
+    Tensor<1, dim> force;
+    for (const auto &function : body_forces_)
+      force += function.vector_value(point, time);
+    for (const auto &function : accelerations_)
+      force += density * function.vector_value(point, time);
+    for (const auto &function : rotation_)
+      {
+        const double   omega = function.value(point, time);
+        Tensor<1, dim> arm   = point - rotation_centre_;
+        arm -= (arm * rotation_axis_) * rotation_axis_;
+        force += density * omega * omega * arm;
+      }
+    return force;
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_forces(const double time, Vector<double> &forces) const
+  {
+    add_volume_forces(time, forces);
+    add_boundary_forces(time, forces);
+    for (const auto &[node, value] : point_forces_)
+      for (unsigned int c = 0; c < dim; ++c)
+        forces[node.dofs[c]] += value.value(node.point, time, c);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_volume_forces(const double time, Vector<double> &forces) const
+  {
+    if (body_forces_.empty() && accelerations_.empty() && rotation_.empty())
+      return;
+    const auto &fe = body_->fe();
+    // One point more than for the stiffness: the loads may be curved.
+    const QGauss<dim> quadrature(body_->scalar_fe().degree + 2);
+    FEValues<dim>     values(body_->mapping(),
+                         body_->scalar_fe(),
+                         quadrature,
+                         update_values | update_quadrature_points |
+                           update_JxW_values);
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : body_->dof_handler().active_cell_iterators())
+      {
+        values.reinit(
+          static_cast<typename Triangulation<dim>::cell_iterator>(cell));
+        cell->get_dof_indices(indices);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const Point<dim>    &point = values.quadrature_point(q);
+            const Tensor<1, dim> force = force_density(point, time) *
+                                         values.JxW(q) *
+                                         body_->volume_factor(point);
+            for (const unsigned int a : values.dof_indices())
+              for (unsigned int c = 0; c < dim; ++c)
+                forces[body_->first_dof() +
+                       indices[fe.component_to_system_index(c, a)]] +=
+                  values.shape_value(a, q) * force[c];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_boundary_forces(const double    time,
+                                  Vector<double> &forces) const
+  {
+    if (boundary_loads_.empty())
+      return;
+    const auto           &fe = body_->fe();
+    const QGauss<dim - 1> quadrature(body_->scalar_fe().degree + 2);
+    FEFaceValues<dim>     values(body_->mapping(),
+                             body_->scalar_fe(),
+                             quadrature,
+                             update_values | update_quadrature_points |
+                               update_JxW_values | update_normal_vectors);
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : body_->dof_handler().active_cell_iterators())
+      for (const unsigned int face : cell->face_indices())
+        for (const auto &load : boundary_loads_)
+          {
+            if (!cell->face(face)->at_boundary() ||
+                cell->face(face)->boundary_id() != load.boundary)
+              continue;
+            values.reinit(
+              static_cast<typename Triangulation<dim>::cell_iterator>(cell),
+              face);
+            cell->get_dof_indices(indices);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                const Point<dim>    &point = values.quadrature_point(q);
+                const Tensor<1, dim> traction =
+                  load.is_pressure ?
+                    -load.value.value(point, time) * values.normal_vector(q) :
+                    load.value.vector_value(point, time);
+                const double weight =
+                  values.JxW(q) * body_->volume_factor(point);
+                for (const unsigned int a : values.dof_indices())
+                  for (unsigned int c = 0; c < dim; ++c)
+                    forces[body_->first_dof() +
+                           indices[fe.component_to_system_index(c, a)]] +=
+                      values.shape_value(a, q) * traction[c] * weight;
+              }
+          }
+  }
+
+
+
+  template class Loads<2>;
+  template class Loads<3>;
+} // namespace Signorini

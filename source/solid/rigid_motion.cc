@@ -1,0 +1,136 @@
+#include <signorini/input_error.h>
+#include <signorini/solid/rigid_motion.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    struct RigidMotion
+    {
+      std::string name;
+      // Component c of the motion of a point, both in the centre's frame.
+      std::function<double(const Tensor<1, 3> &, const unsigned int)> value;
+    };
+
+    RigidMotion
+    translation(const unsigned int direction)
+    {
+      return {std::string("translation along ") +
+                static_cast<char>('x' + direction),
+              [direction](const Tensor<1, 3> &, const unsigned int c) {
+                return c == direction ? 1. : 0.;
+              }};
+    }
+
+    RigidMotion
+    rotation(const unsigned int axis)
+    {
+      return {std::string("rotation about ") + static_cast<char>('x' + axis),
+              [axis](const Tensor<1, 3> &arm, const unsigned int c) {
+                Tensor<1, 3> omega;
+                omega[axis] = 1.;
+                return cross_product_3d(omega, arm)[c];
+              }};
+    }
+
+    std::vector<RigidMotion>
+    rigid_motions(const Formulation formulation)
+    {
+      switch (formulation)
+        {
+          case Formulation::axisymmetric:
+            return {translation(1)};
+          case Formulation::three_dimensional:
+            return {translation(0),
+                    translation(1),
+                    translation(2),
+                    rotation(0),
+                    rotation(1),
+                    rotation(2)};
+          default:
+            return {translation(0), translation(1), rotation(2)};
+        }
+    }
+
+    template <int dim>
+    Tensor<1, 3>
+    arm(const Point<dim> &point, const Point<dim> &centre, const double scale)
+    {
+      Tensor<1, 3> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = (point[d] - centre[d]) / scale;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  free_rigid_motion(const Body<dim> &body, const std::vector<bool> &is_fixed)
+  {
+    Point<dim> centre;
+    for (const auto &node : body.nodes())
+      centre += node.point / double(body.nodes().size());
+    double scale = 0.;
+    for (const auto &node : body.nodes())
+      scale = std::max(scale, node.point.distance(centre));
+
+    // The Gram matrix of the motions at the fixed unknowns: its kernel is what
+    // they do not prevent.
+    const auto               motions = rigid_motions(body.formulation());
+    LAPACKFullMatrix<double> gram(motions.size());
+    for (const auto &node : body.nodes())
+      for (unsigned int c = 0; c < dim; ++c)
+        if (is_fixed[node.dofs[c]])
+          for (unsigned int i = 0; i < motions.size(); ++i)
+            for (unsigned int j = 0; j < motions.size(); ++j)
+              {
+                const auto r = arm(node.point, centre, scale);
+                gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
+              }
+    FullMatrix<double> vectors;
+    Vector<double>     values;
+    gram.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
+
+    std::string names;
+    for (unsigned int k = 0; k < values.size(); ++k)
+      for (unsigned int i = 0; i < motions.size(); ++i)
+        if (std::abs(vectors(i, k)) > 0.1 &&
+            names.find(motions[i].name) == std::string::npos)
+          names += (names.empty() ? "" : ", ") + motions[i].name;
+    return names;
+  }
+
+
+
+  template <int dim>
+  void
+  refuse_free_rigid_motion(const Body<dim>         &body,
+                           const std::vector<bool> &is_fixed)
+  {
+    const std::string motion = free_rigid_motion(body, is_fixed);
+    if (!motion.empty())
+      throw InputError("Body " + body.name() +
+                       ": nothing holds it in a static run; it can still move "
+                       "by " +
+                       motion +
+                       ". Fix it in its section Supports, or set Time / "
+                       "Analysis = dynamic.");
+  }
+
+
+
+  template std::string
+  free_rigid_motion(const Body<2> &, const std::vector<bool> &);
+  template std::string
+  free_rigid_motion(const Body<3> &, const std::vector<bool> &);
+  template void
+  refuse_free_rigid_motion(const Body<2> &, const std::vector<bool> &);
+  template void
+  refuse_free_rigid_motion(const Body<3> &, const std::vector<bool> &);
+} // namespace Signorini

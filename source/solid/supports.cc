@@ -1,0 +1,172 @@
+#include <signorini/input_error.h>
+#include <signorini/named_list.h>
+#include <signorini/solid/supports.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The nodes a place of the .prm stands for: a boundary or `point x, y`.
+    template <int dim>
+    std::vector<Node<dim>>
+    nodes_at(const Body<dim>   &body,
+             const std::string &place,
+             const std::string &entry)
+    {
+      const std::string keyword = "point ";
+      if (place.compare(0, keyword.size(), keyword) == 0)
+        return {
+          body.node_near(parse_point<dim>(place.substr(keyword.size()), entry),
+                         entry)};
+      try
+        {
+          return body.boundary_nodes(place);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(entry + ": " + error.what() +
+                           " A single node is written \"point x, y\".");
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Supports");
+    prm.declare_entry("Fixed",
+                      "",
+                      Patterns::Anything(),
+                      "Components that cannot move: `left: x, y | bottom: y'. "
+                      "A place is the name of a boundary, or `point x, y' for "
+                      "the node there.");
+    prm.declare_entry("Prescribed motion",
+                      "",
+                      Patterns::Anything(),
+                      "Displacements as functions of x, y (, z) and t: "
+                      "`top: y = -1e-3*t ; x = 0 | right: x = 0.1*sin(t)'. "
+                      "Unit: m.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  Supports<dim>::Supports(const Body<dim>  &body,
+                          const Constants  &constants,
+                          ParameterHandler &prm)
+  {
+    prm.enter_subsection("Supports");
+    const std::string section = "Body " + body.name() + " / Supports / ";
+    const std::string fixed   = section + "Fixed";
+    for (const auto &[place, components] :
+         parse_named_list(prm.get("Fixed"), fixed))
+      for (const std::string &component : split_list(components, ','))
+        add(nodes_at(body, place, fixed),
+            parse_component<dim>(component, fixed),
+            nullptr);
+
+    const std::string prescribed = section + "Prescribed motion";
+    for (const auto &[place, motions] :
+         parse_named_list(prm.get("Prescribed motion"), prescribed))
+      for (const std::string &motion : split_list(motions, ';'))
+        {
+          const std::size_t equal = motion.find('=');
+          if (equal == std::string::npos)
+            throw InputError(prescribed + ": found \"" + motion +
+                             "\". Write \"component = expression\".");
+          motions_.push_back(std::make_unique<SpaceTimeFunction<dim>>(
+            motion.substr(equal + 1), 1, constants, prescribed));
+          add(nodes_at(body, place, prescribed),
+              parse_component<dim>(Utilities::trim(motion.substr(0, equal)),
+                                   prescribed),
+              motions_.back().get());
+        }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::add(const std::vector<Node<dim>> &nodes,
+                     const unsigned int            component,
+                     const SpaceTimeFunction<dim> *motion)
+  {
+    // A node of two boundaries takes what was said last: motions come after
+    // fixed places and win at common corners.
+    for (const auto &node : nodes)
+      prescribed_.push_back({node.dofs[component], node.point, motion});
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::mark(std::vector<bool> &is_fixed) const
+  {
+    for (const auto &prescribed : prescribed_)
+      is_fixed[prescribed.dof] = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::set_displacements(const double    time,
+                                   Vector<double> &displacement) const
+  {
+    for (const auto &[dof, point, motion] : prescribed_)
+      displacement[dof] = motion ? motion->value(point, time) : 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::set_rates(const double    time,
+                           const double    step_size,
+                           Vector<double> &velocity,
+                           Vector<double> &acceleration) const
+  {
+    const double difference = 0.01 * step_size;
+    for (const auto &[dof, point, motion] : prescribed_)
+      {
+        velocity[dof] = acceleration[dof] = 0.;
+        if (!motion || !motion->depends_on_time())
+          continue;
+        const double before = motion->value(point, time - difference);
+        const double now    = motion->value(point, time);
+        const double after  = motion->value(point, time + difference);
+        velocity[dof]       = (after - before) / (2. * difference);
+        acceleration[dof] =
+          (after - 2. * now + before) / (difference * difference);
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  Supports<dim>::are_fixed() const
+  {
+    return std::none_of(prescribed_.begin(),
+                        prescribed_.end(),
+                        [](const auto &prescribed) {
+                          return prescribed.motion &&
+                                 prescribed.motion->depends_on_time();
+                        });
+  }
+
+
+
+  template class Supports<2>;
+  template class Supports<3>;
+} // namespace Signorini

@@ -1,0 +1,183 @@
+#include <signorini/input_error.h>
+#include <signorini/time/time_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Scheme = std::function<GeneralizedAlpha(const ParameterHandler &)>;
+
+    // The one list of time integration schemes, by their .prm names.
+    const std::map<std::string, Scheme> &
+    schemes()
+    {
+      static const std::map<std::string, Scheme> list = {
+        {"trapezoidal",
+         [](const ParameterHandler &) { return trapezoidal_rule(); }},
+        {"Newmark",
+         [](const ParameterHandler &prm) {
+           return newmark(prm.get_double("beta"), prm.get_double("gamma"));
+         }},
+        {"HHT",
+         [](const ParameterHandler &prm) {
+           return hilber_hughes_taylor(prm.get_double("alpha_H"));
+         }},
+        {"Chung-Hulbert",
+         [](const ParameterHandler &prm) {
+           return chung_hulbert(prm.get_double("Spectral radius"));
+         }},
+        {"Meguid-Czekanski",
+         [](const ParameterHandler &) { return meguid_czekanski(); }},
+        {"generalized alpha", [](const ParameterHandler &prm) {
+           return generalized_alpha(prm.get_double("alpha_B"),
+                                    prm.get_double("alpha_H"),
+                                    prm.get_double("beta"),
+                                    prm.get_double("gamma"));
+         }}};
+      return list;
+    }
+
+    std::string
+    scheme_names()
+    {
+      std::string names;
+      for (const auto &[name, scheme] : schemes())
+        names += (names.empty() ? "" : "|") + name;
+      return names;
+    }
+
+    void
+    declare_scheme(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Scheme",
+        "Chung-Hulbert",
+        Patterns::Selection(scheme_names()),
+        "Time integration. Chung-Hulbert reads `Spectral radius', HHT "
+        "`alpha_H', Newmark `beta' and `gamma', generalized alpha all four "
+        "numbers; trapezoidal and Meguid-Czekanski (the set of their section "
+        "6.4) read none.");
+      prm.declare_entry("Spectral radius",
+                        "1",
+                        Patterns::Double(),
+                        "Factor per step of infinitely high frequencies, in "
+                        "[0, 1]: 1 keeps them, 0 removes them. Unit: 1.");
+      prm.declare_entry(
+        "alpha_B",
+        "0",
+        Patterns::Double(),
+        "Weight of the old state in the inertia term. Unit: 1.");
+      prm.declare_entry("alpha_H",
+                        "0",
+                        Patterns::Double(),
+                        "Weight of the old state in all other terms. Unit: 1.");
+      prm.declare_entry("beta",
+                        "0.25",
+                        Patterns::Double(),
+                        "Newmark's beta. Unit: 1.");
+      prm.declare_entry("gamma",
+                        "0.5",
+                        Patterns::Double(),
+                        "Newmark's gamma. Unit: 1.");
+    }
+  } // namespace
+
+
+
+  void
+  TimeParameters::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.declare_entry("Analysis",
+                      "dynamic",
+                      Patterns::Selection("dynamic|static"),
+                      "dynamic: with inertia. static: without inertia; time "
+                      "only scales loads and motions (load stepping).");
+    prm.declare_entry("End time",
+                      "1",
+                      Patterns::Double(0.),
+                      "The run goes from t = 0 to this time. Unit: s.");
+    prm.declare_entry("Step size",
+                      "0.1",
+                      Patterns::Double(0.),
+                      "Size of a time step (static: load step). Unit: s.");
+    prm.declare_entry("Minimal step size",
+                      "0",
+                      Patterns::Double(0.),
+                      "A step that does not converge is cut in half, down to "
+                      "this size; 0 means 1/1024 of the step size. Unit: s.");
+    declare_scheme(prm);
+    prm.declare_entry("Contact mass",
+                      "redistributed",
+                      Patterns::Selection("consistent|redistributed|affine"),
+                      "redistributed: nodes that may come into contact carry "
+                      "no mass, it goes to their nearest inner neighbours, and "
+                      "contact forces do not ring. affine: it goes to two "
+                      "layers of neighbours so that centre of mass and moments "
+                      "of inertia are kept to the digit. consistent: every "
+                      "node keeps its mass.");
+    prm.declare_entry("Contact work",
+                      "returned",
+                      Patterns::Selection("returned|lost"),
+                      "A contact that opens or closes between two times does "
+                      "work that the continuous problem does not know. "
+                      "returned: the velocity along the contact forces gives "
+                      "it back, so that energy is kept. lost: it is not.");
+    prm.declare_entry("Mass matrix",
+                      "consistent",
+                      Patterns::Selection("consistent|lumped"),
+                      "consistent, or lumped by row sums.");
+    prm.declare_entry("Maximal iterations",
+                      "25",
+                      Patterns::Integer(1),
+                      "A step that needs more iterations is cut in half.");
+    prm.declare_entry("Residual tolerance",
+                      "1e-9",
+                      Patterns::Double(0.),
+                      "Largest unbalanced nodal force, relative to the largest "
+                      "nodal force of the step, at which a step has converged. "
+                      "Unit: 1.");
+    prm.leave_subsection();
+  }
+
+
+
+  TimeParameters
+  TimeParameters::parse(ParameterHandler &prm)
+  {
+    TimeParameters parameters;
+    prm.enter_subsection("Time");
+    parameters.dynamic             = prm.get("Analysis") == "dynamic";
+    parameters.end_time            = prm.get_double("End time");
+    parameters.step_size           = prm.get_double("Step size");
+    parameters.minimal_step_size   = prm.get_double("Minimal step size");
+    parameters.scheme              = schemes().at(prm.get("Scheme"))(prm);
+    parameters.contact_mass        = prm.get("Contact mass");
+    parameters.return_contact_work = prm.get("Contact work") == "returned";
+    parameters.lump_mass           = prm.get("Mass matrix") == "lumped";
+    parameters.maximal_iterations  = prm.get_integer("Maximal iterations");
+    parameters.residual_tolerance  = prm.get_double("Residual tolerance");
+    prm.leave_subsection();
+
+    if (parameters.end_time <= 0.)
+      throw InputError("Time / End time: must be greater than zero.");
+    if (parameters.step_size <= 0.)
+      throw InputError("Time / Step size: must be greater than zero.");
+    if (parameters.step_size > parameters.end_time * (1. + 1e-12))
+      throw InputError("Time / Step size: is greater than the End time; "
+                       "choose a step that is not longer than the run.");
+    if (parameters.minimal_step_size > parameters.step_size)
+      throw InputError("Time / Minimal step size: is greater than the Step "
+                       "size; choose a smaller one, or 0 for the default.");
+    if (parameters.minimal_step_size == 0.)
+      parameters.minimal_step_size = parameters.step_size / 1024.;
+    return parameters;
+  }
+} // namespace Signorini

@@ -1,0 +1,119 @@
+#include <signorini/variational_inequality/kkt_residual.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // A comparison with NaN is false: std::max would lose it.
+    void
+    raise(double &maximum, const double value)
+    {
+      if (std::isnan(value))
+        maximum = std::numeric_limits<double>::infinity();
+      else
+        maximum = std::max(maximum, value);
+    }
+
+    double
+    quotient(const double value, const double scale)
+    {
+      if (!std::isfinite(value) || !std::isfinite(scale))
+        return std::numeric_limits<double>::infinity();
+      return value == 0. ? 0. : value / scale;
+    }
+
+    // 1. Balance of forces, and the scale F.
+    void
+    measure_stationarity(const InterfaceProblem  &problem,
+                         const InterfaceSolution &solution,
+                         KKTResidual             &residual)
+    {
+      Vector<double> stiffness_force = solution.displacement;
+      problem.stiffness().multiply(stiffness_force);
+      Vector<double> contact_force(problem.size());
+      for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+        problem.contact(k).normal.add_to(contact_force,
+                                         solution.normal_forces[k]);
+
+      const Vector<double> &force     = problem.force();
+      double                unbalance = 0.;
+      for (unsigned int i = 0; i < problem.size(); ++i)
+        {
+          raise(residual.force_scale, std::abs(force(i)));
+          raise(residual.force_scale, std::abs(stiffness_force(i)));
+          raise(residual.force_scale, std::abs(contact_force(i)));
+          raise(unbalance,
+                std::abs(stiffness_force(i) - force(i) + contact_force(i)));
+        }
+      for (const double lambda : solution.normal_forces)
+        raise(residual.negative_force, -lambda);
+      residual.stationarity = quotient(unbalance, residual.force_scale);
+    }
+
+    // 2. Gaps, and the scale l.
+    void
+    measure_gaps(const InterfaceProblem    &problem,
+                 const InterfaceSolution   &solution,
+                 const std::vector<double> &gaps,
+                 KKTResidual               &residual)
+    {
+      const Vector<double> &free = problem.free_displacement();
+      for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+        {
+          const SparseRow &normal = problem.contact(k).normal;
+          raise(residual.penetration, -gaps[k]);
+          raise(residual.length_scale, normal.absolute_dot(free));
+          raise(residual.length_scale,
+                normal.absolute_dot(solution.displacement));
+          if (gaps[k] <= 0. || solution.normal_forces[k] != 0.)
+            raise(residual.length_scale, std::abs(problem.contact(k).gap));
+        }
+    }
+  } // namespace
+
+
+
+  double
+  KKTResidual::norm() const
+  {
+    double norm = 0.;
+    raise(norm, stationarity);
+    raise(norm, quotient(penetration, length_scale));
+    raise(norm, quotient(negative_force, force_scale));
+    raise(norm, complementarity);
+    return norm;
+  }
+
+
+
+  KKTResidual
+  kkt_residual(const InterfaceProblem  &problem,
+               const InterfaceSolution &solution)
+  {
+    AssertDimension(solution.displacement.size(), problem.size());
+    AssertDimension(solution.normal_forces.size(), problem.n_contacts());
+
+    KKTResidual residual;
+    measure_stationarity(problem, solution, residual);
+    std::vector<double> gaps(problem.n_contacts());
+    for (unsigned int k = 0; k < gaps.size(); ++k)
+      gaps[k] = problem.gap_after(k, solution.displacement);
+    measure_gaps(problem, solution, gaps, residual);
+
+    // 3. A force across an open gap. A product of the two would pass a small
+    // force across a wide gap.
+    for (unsigned int k = 0; k < gaps.size(); ++k)
+      if (solution.normal_forces[k] > 0. && gaps[k] > 0.)
+        raise(residual.complementarity,
+              std::min(quotient(solution.normal_forces[k],
+                                residual.force_scale),
+                       quotient(gaps[k], residual.length_scale)));
+    return residual;
+  }
+} // namespace Signorini

@@ -1,0 +1,46 @@
+#include <signorini/input_error.h>
+#include <signorini/variational_inequality/dual_solver.h>
+#include <signorini/variational_inequality/penalty.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  Penalty::Penalty(const double stiffness)
+    : stiffness(stiffness)
+  {
+    if (!(stiffness > 0.) || !std::isfinite(stiffness))
+      throw InputError("Contact / Penalty stiffness: found " +
+                       std::to_string(stiffness) +
+                       ", but the algorithm `penalty' needs a number greater "
+                       "than zero. Ten to a thousand times the stiffness of "
+                       "the body at a node is usual.");
+  }
+
+
+
+  std::string
+  Penalty::name() const
+  {
+    return "penalty";
+  }
+
+
+
+  bool
+  Penalty::enforces_exactly() const
+  {
+    return false;
+  }
+
+
+
+  InterfaceSolution
+  Penalty::solve_closed(const InterfaceProblem    &problem,
+                        const std::vector<double> &starting_forces) const
+  {
+    DualTerms terms;
+    terms.compliance = 1. / stiffness;
+    return solve_dual(problem, starting_forces, terms);
+  }
+} // namespace Signorini

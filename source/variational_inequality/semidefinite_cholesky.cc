@@ -1,0 +1,140 @@
+#include <signorini/variational_inequality/semidefinite_cholesky.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "blas.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Relative to a unit diagonal: below this a pivot is rounding error.
+    double
+    rank_tolerance(const unsigned int n)
+    {
+      return 4. * std::max(n, 8U) * std::numeric_limits<double>::epsilon();
+    }
+  } // namespace
+
+
+
+  SemidefiniteCholesky::SemidefiniteCholesky(
+    const FullMatrix<double>        &matrix,
+    const std::vector<unsigned int> &indices)
+    : n(indices.size())
+    , independent_rows(0)
+    , scaling(n, 1.)
+    , pivots(n)
+    , lower(std::size_t(n) * n)
+  {
+    // 1. Scale to a unit diagonal. A row without one is zero: by
+    // semidefiniteness the rest of it is, too.
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double diagonal = matrix(indices[i], indices[i]);
+        if (diagonal > 0.)
+          scaling[i] = 1. / std::sqrt(diagonal);
+        for (unsigned int j = 0; j <= i; ++j)
+          lower[i + std::size_t(j) * n] =
+            scaling[i] * scaling[j] * matrix(indices[i], indices[j]);
+      }
+
+    // 2. Factorise until the largest pivot left is rounding error.
+    if (n == 0)
+      return;
+    const Blas::Integer        size      = n;
+    const double               tolerance = rank_tolerance(n);
+    std::vector<Blas::Integer> order(n);
+    std::vector<double>        work(2 * n);
+    Blas::Integer              rank = 0, info = 0;
+    Blas::dpstrf_("L",
+                  &size,
+                  lower.data(),
+                  &size,
+                  order.data(),
+                  &rank,
+                  &tolerance,
+                  work.data(),
+                  &info);
+    // LAPACK leaves the order unset if it stops at the first pivot.
+    for (unsigned int i = 0; i < n; ++i)
+      pivots[i] = rank > 0 ? order[i] - 1 : i;
+    independent_rows = rank;
+  }
+
+
+
+  std::vector<unsigned int>
+  SemidefiniteCholesky::dependent() const
+  {
+    return {pivots.begin() + rank(), pivots.end()};
+  }
+
+
+
+  void
+  SemidefiniteCholesky::solve_triangular(const char           transposition,
+                                         std::vector<double> &pivoted) const
+  {
+    const Blas::Integer size = n, leading = rank(), one = 1;
+    if (leading > 0)
+      Blas::dtrsv_("L",
+                   &transposition,
+                   "N",
+                   &leading,
+                   lower.data(),
+                   &size,
+                   pivoted.data(),
+                   &one);
+  }
+
+
+
+  std::vector<double>
+  SemidefiniteCholesky::solve(const std::vector<double> &right_hand_side) const
+  {
+    AssertDimension(right_hand_side.size(), n);
+    std::vector<double> pivoted(rank());
+    for (unsigned int i = 0; i < rank(); ++i)
+      pivoted[i] = scaling[pivots[i]] * right_hand_side[pivots[i]];
+    solve_triangular('N', pivoted);
+    solve_triangular('T', pivoted);
+
+    std::vector<double> solution(n, 0.);
+    for (unsigned int i = 0; i < rank(); ++i)
+      solution[pivots[i]] = scaling[pivots[i]] * pivoted[i];
+    return solution;
+  }
+
+
+
+  std::vector<double>
+  SemidefiniteCholesky::null_direction(
+    const std::vector<double> &remainder) const
+  {
+    AssertDimension(remainder.size(), n);
+    // z = (-L_11^-T L_21^T v, v), v the scaled remainder.
+    std::vector<double> pivoted(n, 0.);
+    for (unsigned int i = rank(); i < n; ++i)
+      {
+        pivoted[i] = scaling[pivots[i]] * remainder[pivots[i]];
+        for (unsigned int j = 0; j < rank(); ++j)
+          pivoted[j] -= factor(i, j) * pivoted[i];
+      }
+    solve_triangular('T', pivoted);
+
+    // Rounding must not look like an entry that decreases towards a bound.
+    double largest = 0.;
+    for (const double entry : pivoted)
+      largest = std::max(largest, std::abs(entry));
+    std::vector<double> direction(n, 0.);
+    for (unsigned int i = 0; i < n; ++i)
+      if (std::abs(pivoted[i]) > rank_tolerance(n) * largest)
+        direction[pivots[i]] = scaling[pivots[i]] * pivoted[i];
+    return direction;
+  }
+} // namespace Signorini

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# A wrong input is refused in words: run_error.sh PROGRAM FILE.prm SCRATCH
+#
+# Comment lines at the beginning of the file say what has to happen:
+#   # expect: TEXT    must occur in the output; as many lines as needed
+#   # exit: 3         the exit code; without this line 1, and found by --check
+set -u
+program=$1
+prm=$2
+scratch=$3
+failed=0
+
+fail() {
+  echo "$prm: $1"
+  failed=1
+}
+
+code=$(sed -n 's/^# *exit: *//p' "$prm" | head -n 1)
+options=(--threads 1 --output-directory "$scratch")
+# A wrong input has to be found before anything is computed.
+if [ "${code:-1}" = 1 ]; then options+=(--check); fi
+
+rm -rf "$scratch"
+output=$("$program" "$prm" "${options[@]}" 2>&1)
+found=$?
+[ "$found" = "${code:-1}" ] || fail "exit code $found, expected ${code:-1}."
+
+expected=$(sed -n 's/^# *expect: *//p' "$prm")
+[ -n "$expected" ] || fail "has no line \"# expect: TEXT\"."
+while IFS= read -r text; do
+  grep -qF -- "$text" <<<"$output" || fail "the output lacks: $text"
+done <<<"$expected"
+
+if grep -qE 'dealii::|std::|terminate called|An error occurred in line|Stacktrace' <<<"$output"; then
+  fail "the message speaks C++."
+fi
+if [ "${code:-1}" = 1 ] && [ -e "$scratch" ]; then
+  fail "a refused input has left files in $scratch."
+fi
+
+if [ "$failed" = 1 ]; then printf 'The output was:\n%s\n' "$output"; fi
+exit "$failed"

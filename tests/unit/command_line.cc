@@ -1,0 +1,118 @@
+#include <signorini/simulation/command_line.h>
+
+#include <boost/test/unit_test.hpp>
+
+namespace
+{
+  using Signorini::CommandLine;
+
+  CommandLine
+  parse(std::vector<const char *> arguments)
+  {
+    arguments.insert(arguments.begin(), "signorini");
+    return CommandLine::parse(static_cast<int>(arguments.size()),
+                              arguments.data());
+  }
+
+
+
+  std::string
+  message_of(const std::vector<const char *> &arguments)
+  {
+    try
+      {
+        parse(arguments);
+      }
+    catch (const Signorini::CommandLineError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(command_line)
+
+BOOST_AUTO_TEST_CASE(defaults)
+{
+  const CommandLine line = parse({"a.prm"});
+  BOOST_TEST(line.prm_files == std::vector<std::string>{"a.prm"},
+             boost::test_tools::per_element());
+  BOOST_TEST(!line.help);
+  BOOST_TEST(!line.version);
+  BOOST_TEST(!line.print_parameters);
+  BOOST_TEST(!line.threads.has_value());
+  BOOST_TEST(!line.run_options.check_only);
+  BOOST_TEST(!line.run_options.overwrite);
+  BOOST_TEST(line.run_options.output_directory.empty());
+  BOOST_TEST(line.run_options.overrides.empty());
+  BOOST_TEST(!line.run_options.max_steps.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(all_options)
+{
+  const CommandLine              line  = parse({"a.prm",
+                                                "--set",
+                                                "Time/End time=-1",
+                                                "b.prm",
+                                                "--check",
+                                                "--overwrite",
+                                                "--output-directory=out put",
+                                                "--set=Title=x = y",
+                                                "--threads",
+                                                "2",
+                                                "--steps",
+                                                "3",
+                                                "c.prm"});
+  const std::vector<std::string> files = {"a.prm", "b.prm", "c.prm"};
+  BOOST_TEST(line.prm_files == files, boost::test_tools::per_element());
+  const std::vector<std::string> overrides = {"Time/End time=-1",
+                                              "Title=x = y"};
+  BOOST_TEST(line.run_options.overrides == overrides,
+             boost::test_tools::per_element());
+  BOOST_TEST(line.run_options.check_only);
+  BOOST_TEST(line.run_options.overwrite);
+  BOOST_TEST(line.run_options.output_directory == "out put");
+  BOOST_TEST(line.threads.value() == 2);
+  BOOST_TEST(line.run_options.max_steps.value() == 3);
+  BOOST_TEST(parse({"--help"}).help);
+  BOOST_TEST(parse({"--version"}).version);
+  BOOST_TEST(parse({"--print-parameters"}).print_parameters);
+}
+
+BOOST_AUTO_TEST_CASE(messages)
+{
+  BOOST_TEST(message_of({}) == "No .prm file is given.");
+  BOOST_TEST(message_of({"a.prm", "--chek"}) ==
+             "Unknown option --chek. Did you mean \"--check\"?");
+  BOOST_TEST(message_of({"a.prm", "--over"}) == "Unknown option --over.");
+  BOOST_TEST(message_of({"a.prm", "--threads", "0"}) ==
+             "--threads: \"0\" is not a whole number from 1 to 999999999.");
+  BOOST_TEST(message_of({"a.prm", "--steps", "2.5"}) ==
+             "--steps: \"2.5\" is not a whole number from 1 to 999999999.");
+  BOOST_TEST(message_of({"a.prm", "--steps", "10000000000"}) ==
+             "--steps: \"10000000000\" is not a whole number from 1 to "
+             "999999999.");
+  BOOST_TEST(message_of({"a.prm", "--set"}) ==
+             "Command line: the required argument for option '--set' is "
+             "missing.");
+  BOOST_TEST(message_of({"a.prm", "--check=yes"}) ==
+             "Command line: option '--check' does not take any arguments.");
+}
+
+BOOST_AUTO_TEST_CASE(help_names_every_option)
+{
+  for (const std::string option : {"--check",
+                                   "--print-parameters",
+                                   "--output-directory DIR",
+                                   "--overwrite",
+                                   "--set ENTRY",
+                                   "--steps N",
+                                   "--threads N",
+                                   "--help",
+                                   "--version"})
+    BOOST_TEST(Signorini::help_text().find(option) != std::string::npos,
+               option);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

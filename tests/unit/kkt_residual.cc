@@ -1,0 +1,165 @@
+#include <signorini/variational_inequality/kkt_residual.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "interface_reference.h"
+
+using namespace Signorini;
+using dealii::FullMatrix;
+using dealii::Vector;
+
+BOOST_AUTO_TEST_SUITE(kkt_residual)
+
+namespace
+{
+  // S = [2 1; 1 2] k, gaps (1, 5) a: pressed by r = (-11, -3) k a, the first of
+  // two nodes stops at -1 a under the force 8 k a, the second goes to -1 a.
+  struct Example
+  {
+    InterfaceProblem  problem;
+    InterfaceSolution solution;
+    double            stiffness_unit;
+    double            length_unit;
+  };
+
+  Example
+  example(const double k, const double a)
+  {
+    InterfaceReference::Data data{FullMatrix<double>(2, 2),
+                                  Vector<double>(2),
+                                  {{{{0, -1.}}, a}, {{{1, -1.}}, 5. * a}}};
+    data.stiffness(0, 0) = data.stiffness(1, 1) = 2. * k;
+    data.stiffness(0, 1) = data.stiffness(1, 0) = k;
+    data.force(0)                               = -11. * k * a;
+    data.force(1)                               = -3. * k * a;
+    Example result{InterfaceReference::make_problem(data), {}, k, a};
+    result.solution.displacement.reinit(2);
+    result.solution.displacement(0) = -a;
+    result.solution.displacement(1) = -a;
+    result.solution.normal_forces   = {8. * k * a, 0.};
+    return result;
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(exact_solution)
+{
+  for (const double k : {1., 7.3e11, 1e-9})
+    for (const double a : {1., 5e-5, 1e6})
+      {
+        const Example     exact = example(k, a);
+        const KKTResidual residual =
+          Signorini::kkt_residual(exact.problem, exact.solution);
+        BOOST_TEST(residual.norm() <= 1e-15);
+        BOOST_TEST(residual.force_scale / (11. * k * a) == 1.,
+                   boost::test_tools::tolerance(1e-14));
+        // The free displacement of the first node is -19/3 a.
+        BOOST_TEST(residual.length_scale / (19. / 3. * a) == 1.,
+                   boost::test_tools::tolerance(1e-14));
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(each_violation_is_noticed)
+{
+  // The same numbers in every system of units: relative to 11 k a and 19/3 a.
+  for (const double k : {1., 7.3e11})
+    for (const double a : {1., 5e-5})
+      {
+        const auto check = [&](const std::function<void(Example &)> &change,
+                               const double                          expected,
+                               const double KKTResidual::*part,
+                               const double               expected_part) {
+          Example wrong = example(k, a);
+          change(wrong);
+          const KKTResidual residual =
+            Signorini::kkt_residual(wrong.problem, wrong.solution);
+          BOOST_TEST(residual.norm() == expected,
+                     boost::test_tools::tolerance(1e-12));
+          BOOST_TEST((residual.*part) == expected_part,
+                     boost::test_tools::tolerance(1e-12));
+        };
+        // A force too large.
+        check([&](Example &e) { e.solution.normal_forces[0] += 1.1 * k * a; },
+              0.1,
+              &KKTResidual::stationarity,
+              0.1);
+        // The first gap smaller by 1.9 a: penetration alone.
+        check([&](Example &e) { e.problem.set_gap(0, -0.9 * a); },
+              0.3,
+              &KKTResidual::penetration,
+              1.9 * a);
+        // Larger by 1.9 a: a force across a gap.
+        check([&](Example &e) { e.problem.set_gap(0, 2.9 * a); },
+              0.3,
+              &KKTResidual::complementarity,
+              0.3);
+        // A small force across a wide gap: 1.1e-2 k a in 4 a.
+        check([&](Example &e) { e.solution.normal_forces[1] = 1.1e-2 * k * a; },
+              1e-3,
+              &KKTResidual::complementarity,
+              1e-3);
+        // A force that pulls.
+        check([&](Example &e) { e.solution.normal_forces[1] = -2.2 * k * a; },
+              0.2,
+              &KKTResidual::negative_force,
+              2.2 * k * a);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(zero_problems)
+{
+  // 1. No force, no gap, no displacement.
+  InterfaceReference::Data data{FullMatrix<double>(2, 2),
+                                Vector<double>(2),
+                                {{{{0, -1.}}, 0.}}};
+  data.stiffness(0, 0) = data.stiffness(1, 1) = 1.;
+  const InterfaceProblem at_rest = InterfaceReference::make_problem(data);
+  InterfaceSolution      nothing;
+  nothing.displacement.reinit(2);
+  nothing.normal_forces = {0.};
+  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() == 0.);
+
+  // 2. Penetrated from the start, and left so.
+  data.contacts[0].gap          = -1e-6;
+  const InterfaceProblem inside = InterfaceReference::make_problem(data);
+  BOOST_TEST(Signorini::kkt_residual(inside, nothing).norm() == 1.);
+
+  // 3. No contacts.
+  data.contacts.clear();
+  nothing.normal_forces.clear();
+  BOOST_TEST(
+    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
+      .norm() == 0.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(not_a_number)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (unsigned int place = 0; place < 4; ++place)
+    {
+      Example broken = example(1., 1.);
+      if (place == 0)
+        broken.solution.displacement(1) = nan;
+      else if (place == 1)
+        broken.solution.normal_forces[1] = nan;
+      else if (place == 2)
+        broken.problem.set_gap(1, nan);
+      else
+        broken.problem.set_gap(1, -std::numeric_limits<double>::infinity());
+      const double norm =
+        Signorini::kkt_residual(broken.problem, broken.solution).norm();
+      BOOST_TEST(norm == std::numeric_limits<double>::infinity());
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
