@@ -99,8 +99,6 @@ namespace
       try
         {
           run_problem(file, command_line.run_options);
-          if (command_line.run_options.check_only)
-            std::cout << file << ": correct" << std::endl;
         }
       catch (...)
         {

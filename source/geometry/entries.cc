@@ -1,10 +1,11 @@
+#include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 namespace Signorini
@@ -66,13 +67,15 @@ namespace Signorini
   Entries::counts(const std::string &entry, const unsigned int minimum) const
   {
     std::vector<unsigned int> result;
+    double                    product = 1.;
     for (const double value : numbers(entry))
       {
         if (value < minimum)
           refuse(entry,
                  "must not be less than " + std::to_string(minimum) + ".");
-        if (value > std::numeric_limits<int>::max())
-          refuse(entry, "is too large.");
+        product *= std::max(value, 1.);
+        if (product > maximal_n_cells)
+          refuse(entry, "makes more than 20 million cells.");
         result.push_back(static_cast<unsigned int>(value));
       }
     return result;

@@ -305,6 +305,11 @@ namespace Signorini
         }
       for (const Tag &tag : its_groups)
         {
+          if (element.kind != ElementKind::higher_order &&
+              tag.first != Signorini::dimension(element.kind))
+            words.fail("the type " + std::to_string(type) +
+                       " of this element does not fit the dimension " +
+                       std::to_string(tag.first) + " of its group.");
           MeshData::Group &group = groups[tag];
           group.dimension        = tag.first;
           group.is_automatic     = false;

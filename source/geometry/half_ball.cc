@@ -1,7 +1,6 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/half_ball.h>
-#include <signorini/geometry/mesh_refinement.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_generator.h>
@@ -117,8 +116,7 @@ namespace Signorini
       },
       *mesh.triangulation);
 
-    attach_round_manifolds(*mesh.triangulation, shape.center, 0);
-    refine_globally(*mesh.triangulation, shape.initial_refinements);
+    refine_round(shape, 0, *mesh.triangulation);
     return mesh;
   }
 

@@ -2,11 +2,14 @@
 #include <signorini/geometry/group_ids.h>
 #include <signorini/geometry/mesh_data.h>
 #include <signorini/geometry/mesh_data_checks.h>
+#include <signorini/geometry/mesh_topology.h>
 #include <signorini/input_error.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace Signorini
 {
@@ -124,6 +127,16 @@ namespace Signorini
   {
     const std::array<unsigned int, 9> n = {{0, 1, 2, 2, 3, 3, 3, 3, 0}};
     return n[static_cast<unsigned int>(kind)];
+  }
+
+
+
+  std::string
+  location_of_node(const MeshData &data, const unsigned int node)
+  {
+    std::ostringstream text;
+    text << "(" << data.nodes[node] << ")";
+    return text.str();
   }
 
 

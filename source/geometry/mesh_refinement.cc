@@ -1,4 +1,5 @@
 #include <signorini/geometry/boundary_distance.h>
+#include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_refinement.h>
 #include <signorini/input_error.h>
@@ -6,6 +7,8 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Signorini
@@ -77,23 +80,25 @@ namespace Signorini
       return {center, radius, static_cast<unsigned int>(n_times)};
     }
 
-    // Refines the cells with a flag. The limit turns a machine without memory
-    // into a message.
-    template <int dim>
     void
-    refine_flagged(Triangulation<dim> &triangulation)
+    check_n_cells(const double n_cells)
     {
-      const double maximal_cells = 20e6;
-
-      double n_cells = triangulation.n_active_cells();
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->refine_flag_set())
-          n_cells += GeometryInfo<dim>::max_children_per_cell - 1;
-      if (n_cells > maximal_cells)
+      if (n_cells > maximal_n_cells)
         throw InputError(
           "The refinements of the mesh make more than 20 million cells. Ask "
           "for fewer in the section of the body (Initial refinements, Global "
           "refinements, Refinements towards, Refinements near).");
+    }
+
+    template <int dim>
+    void
+    refine_flagged(Triangulation<dim> &triangulation)
+    {
+      double n_cells = triangulation.n_active_cells();
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->refine_flag_set())
+          n_cells += GeometryInfo<dim>::max_children_per_cell - 1;
+      check_n_cells(n_cells);
       try
         {
           triangulation.execute_coarsening_and_refinement();
@@ -248,6 +253,8 @@ namespace Signorini
   void
   refine_globally(Triangulation<dim> &triangulation, const unsigned int n_times)
   {
+    check_n_cells(triangulation.n_active_cells() *
+                  std::pow(2., static_cast<double>(dim) * n_times));
     for (unsigned int i = 0; i < n_times; ++i)
       {
         triangulation.set_all_refine_flags();

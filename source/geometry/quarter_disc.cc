@@ -1,6 +1,5 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
-#include <signorini/geometry/mesh_refinement.h>
 #include <signorini/geometry/quarter_disc.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -62,8 +61,7 @@ namespace Signorini
       },
       *mesh.triangulation);
 
-    attach_round_manifolds(*mesh.triangulation, shape.center, 0);
-    refine_globally(*mesh.triangulation, shape.initial_refinements);
+    refine_round(shape, 0, *mesh.triangulation);
     return mesh;
   }
 } // namespace Signorini

@@ -95,6 +95,7 @@ namespace Signorini
               create_algorithm(settings.algorithm, multiplier_factor_),
               timings)
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
+    , largest_stiffness_(largest_diagonal(solid.stiffness()))
     , section_residual_(timings.add("residual and energy"))
     , section_contact_(timings.add("gaps"))
   {}
@@ -211,7 +212,8 @@ namespace Signorini
         update_rates(old_state, step_size, state);
         const auto           points = evaluate_contact(state);
         const Vector<double> force  = residual(old_state, state);
-        state.residual = imbalance(state, force, points, iterate.multipliers);
+        state.residual =
+          imbalance(old_state, state, force, points, iterate.multipliers);
         if (is_solved(state, points, iterate))
           {
             finish(old_state, points, iterate.multipliers, state);
@@ -364,12 +366,14 @@ namespace Signorini
 
   template <int dim>
   double
-  TimeStep<dim>::imbalance(const State                          &state,
+  TimeStep<dim>::imbalance(const State                          &old_state,
+                           const State                          &state,
                            Vector<double>                        residual,
                            const std::vector<SurfacePoint<dim>> &points,
                            const std::vector<double> &multipliers) const
   {
-    const auto timing = timings_.measure(section_residual_);
+    const auto   timing    = timings_.measure(section_residual_);
+    const double step_size = state.time - old_state.time;
     contact_.add_contact_forces(points, multipliers, 1., residual);
     double largest = 0.;
     for (unsigned int i = 0; i < residual.size(); ++i)
@@ -378,9 +382,15 @@ namespace Signorini
     if (largest == 0.)
       return 0.;
 
+    // A body in free flight has no forces but rounding, which is in proportion
+    // to the forces that would hold back its displacement.
+    const double held_back =
+      (largest_stiffness_ + largest_mass_ * effective_factors(step_size).mass) *
+      state.displacement.linfty_norm();
     double scale = std::max({state.external_force.linfty_norm(),
                              state.internal_force.linfty_norm(),
-                             largest_mass_ * state.acceleration.linfty_norm()});
+                             largest_mass_ * state.acceleration.linfty_norm(),
+                             1e-5 * held_back});
     for (const double multiplier : multipliers)
       scale = std::max(scale, multiplier);
     return largest / scale;

@@ -203,7 +203,8 @@ namespace Signorini
   void
   MassRedistribution::extend(DynamicSparsityPattern &pattern) const
   {
-    const DynamicSparsityPattern original(pattern);
+    SparsityPattern original;
+    original.copy_from(pattern);
     for (const auto &[massless, row] : rows_)
       for (unsigned int entry = 0; entry < original.row_length(massless);
            ++entry)

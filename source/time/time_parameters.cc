@@ -65,7 +65,7 @@ namespace Signorini
         "numbers; trapezoidal and Meguid-Czekanski (the set of their section "
         "6.4) read none.");
       prm.declare_entry("Spectral radius",
-                        "1",
+                        "0.98",
                         Patterns::Double(),
                         "Factor per step of infinitely high frequencies, in "
                         "[0, 1]: 1 keeps them, 0 removes them. Unit: 1.");

@@ -14,6 +14,22 @@ namespace Signorini
 
     extern "C"
     {
+      double
+      ddot_(const Integer *n,
+            const double  *x,
+            const Integer *incx,
+            const double  *y,
+            const Integer *incy);
+
+      // y <- y + alpha x.
+      void
+      daxpy_(const Integer *n,
+             const double  *alpha,
+             const double  *x,
+             const Integer *incx,
+             double        *y,
+             const Integer *incy);
+
       // x <- op(A)^-1 x, A triangular.
       void
       dtrsv_(const char    *uplo,

@@ -254,7 +254,14 @@ namespace Signorini
   FaceSearch::add_and_project(const std::vector<double> &p, const double factor)
   {
     for (unsigned int i = 0; i < free.size(); ++i)
-      x[free[i]] = std::max(0., x[free[i]] + factor * p[i]);
+      {
+        // What is left of a sum that cancels is rounding. Kept, it would count
+        // as positive, with a residual as large as itself. If it was more, its
+        // bound is violated, and it comes back.
+        const double old = x[free[i]];
+        const double sum = old + factor * p[i];
+        x[free[i]]       = sum > 1e-10 * old ? sum : 0.;
+      }
   }
 
 
@@ -288,17 +295,6 @@ namespace Signorini
 
 
   void
-  FaceSearch::collect_free()
-  {
-    free.clear();
-    for (unsigned int j = 0; j < x.size(); ++j)
-      if (x[j] > 0.)
-        free.push_back(j);
-  }
-
-
-
-  void
   FaceSearch::update_residual()
   {
     for (unsigned int j = 0; j < x.size(); ++j)
@@ -313,18 +309,6 @@ namespace Signorini
         residual[j]  = d[j] - sum;
         magnitude[j] = std::abs(d[j]) + size;
       }
-  }
-
-
-
-  std::vector<double>
-  FaceSearch::residual_on_face() const
-  {
-    std::vector<double> values;
-    values.reserve(free.size());
-    for (const unsigned int j : free)
-      values.push_back(residual[j]);
-    return values;
   }
 
 

@@ -64,14 +64,27 @@ namespace Signorini
                               const std::vector<double>  &p) const;
 
     void
-    collect_free();
+    collect_free()
+    {
+      free.clear();
+      for (unsigned int j = 0; j < x.size(); ++j)
+        if (x[j] > 0.)
+          free.push_back(j);
+    }
 
     // r = d - W x from scratch, and the size of the numbers that cancel.
     void
     update_residual();
 
     std::vector<double>
-    residual_on_face() const;
+    residual_on_face() const
+    {
+      std::vector<double> values;
+      values.reserve(free.size());
+      for (const unsigned int j : free)
+        values.push_back(residual[j]);
+      return values;
+    }
 
     // W_FF p.
     std::vector<double>

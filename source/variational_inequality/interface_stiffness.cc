@@ -19,6 +19,47 @@ namespace Signorini
         "stiffness; a smaller step helps against the latter.");
     }
 
+    // OpenBLAS wakes its threads for a triangular product from n = 100 on,
+    // though not for a triangular solve. Up to this size a product by columns
+    // is faster.
+    constexpr unsigned int largest_by_columns = 400;
+
+    const Blas::Integer one = 1;
+
+    // x <- L x. From the last column on, so that x_j is read before it changes.
+    void
+    multiply_by_columns(const std::vector<double> &lower, Vector<double> &x)
+    {
+      const Blas::Integer n = x.size();
+      for (Blas::Integer j = n - 1; j >= 0; --j)
+        {
+          const double *const column = lower.data() + j + std::size_t(j) * n;
+          const Blas::Integer below  = n - j - 1;
+          const double        factor = x(j);
+          x(j) *= *column;
+          if (below > 0)
+            Blas::daxpy_(
+              &below, &factor, column + 1, &one, x.begin() + j + 1, &one);
+        }
+    }
+
+    // x <- L^T x.
+    void
+    multiply_transposed_by_columns(const std::vector<double> &lower,
+                                   Vector<double>            &x)
+    {
+      const Blas::Integer n = x.size();
+      for (Blas::Integer i = 0; i < n; ++i)
+        {
+          const Blas::Integer length = n - i;
+          x(i)                       = Blas::ddot_(&length,
+                             lower.data() + i + std::size_t(i) * n,
+                             &one,
+                             x.begin() + i,
+                             &one);
+        }
+    }
+
     using TriangularKernel = decltype(Blas::dtrsv_);
 
     // Both BLAS kernels on a vector differ by their name only.
@@ -28,8 +69,7 @@ namespace Signorini
                const std::vector<double> &lower,
                Vector<double>            &x)
     {
-      const Blas::Integer n   = x.size();
-      const Blas::Integer one = 1;
+      const Blas::Integer n = x.size();
       AssertDimension(lower.size(), x.size() * x.size());
       if (n > 0)
         kernel("L", &transposition, "N", &n, lower.data(), &n, x.data(), &one);
@@ -101,7 +141,7 @@ namespace Signorini
     if (columns.empty())
       return;
     const Blas::Integer rows = n, count = n_columns;
-    const double        one = 1.;
+    const double        unit = 1.;
     for (const char *const transposition : {"N", "T"})
       Blas::dtrsm_("L",
                    "L",
@@ -109,7 +149,7 @@ namespace Signorini
                    "N",
                    &rows,
                    &count,
-                   &one,
+                   &unit,
                    lower.data(),
                    &rows,
                    columns.data(),
@@ -121,7 +161,11 @@ namespace Signorini
   void
   InterfaceStiffness::multiply_factor(Vector<double> &x) const
   {
-    run_kernel(Blas::dtrmv_, 'N', lower, x);
+    AssertDimension(x.size(), n);
+    if (n <= largest_by_columns)
+      multiply_by_columns(lower, x);
+    else
+      run_kernel(Blas::dtrmv_, 'N', lower, x);
   }
 
 
@@ -129,7 +173,11 @@ namespace Signorini
   void
   InterfaceStiffness::multiply_transposed_factor(Vector<double> &x) const
   {
-    run_kernel(Blas::dtrmv_, 'T', lower, x);
+    AssertDimension(x.size(), n);
+    if (n <= largest_by_columns)
+      multiply_transposed_by_columns(lower, x);
+    else
+      run_kernel(Blas::dtrmv_, 'T', lower, x);
   }
 
 
@@ -159,7 +207,7 @@ namespace Signorini
       for (unsigned int i = j; i < n; ++i)
         product[i + std::size_t(j) * n] = factor(i, j);
     const Blas::Integer size = n;
-    const double        one  = 1.;
+    const double        unit = 1.;
     if (n > 0)
       Blas::dtrmm_("R",
                    "L",
@@ -167,7 +215,7 @@ namespace Signorini
                    "N",
                    &size,
                    &size,
-                   &one,
+                   &unit,
                    lower.data(),
                    &size,
                    product.data(),

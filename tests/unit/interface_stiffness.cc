@@ -99,6 +99,38 @@ BOOST_AUTO_TEST_CASE(matrix_is_factorised)
 
 
 
+BOOST_AUTO_TEST_CASE(products_of_every_size)
+{
+  // Against the sums written out; small and large sizes use other kernels.
+  for (const unsigned int n : {1U, 2U, 99U, 401U, 450U})
+    {
+      std::vector<double> lower(n * n);
+      for (unsigned int i = 0; i < n * n; ++i)
+        lower[i] = 1. + (i * 7) % 11;
+      const std::vector<double> copy = lower;
+      const InterfaceStiffness  stiffness =
+        InterfaceStiffness::from_cholesky_factor(n, std::move(lower));
+      Vector<double> x(n), product(n), transposed(n);
+      for (unsigned int i = 0; i < n; ++i)
+        x(i) = i % 9 - 3.;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          {
+            product(i) += copy[i + j * n] * x(j);
+            transposed(j) += copy[i + j * n] * x(i);
+          }
+      // Integers: exact.
+      Vector<double> y = x;
+      stiffness.multiply_factor(y);
+      BOOST_TEST((y == product));
+      y = x;
+      stiffness.multiply_transposed_factor(y);
+      BOOST_TEST((y == transposed));
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(indefinite_is_refused)
 {
   FullMatrix<double> S(2, 2);

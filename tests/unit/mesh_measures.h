@@ -11,6 +11,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/tria.h>
 
+#include <boost/test/unit_test.hpp>
+
 #include <cmath>
 #include <set>
 #include <string>
@@ -135,6 +137,29 @@ names_of(const std::map<std::string, Id> &names)
   for (const auto &entry : names)
     list += (list.empty() ? "" : ",") + entry.first;
   return list;
+}
+
+/** Checks size and outward normal of a flat boundary, to rounding errors. */
+template <int dim>
+void
+check_flat(const Signorini::Mesh<dim>   &mesh,
+           const std::string            &name,
+           const double                  area,
+           const dealii::Tensor<1, dim> &normal)
+{
+  const BoundaryMeasures<dim> found = measure(mesh, name);
+  BOOST_TEST_CONTEXT(name)
+  {
+    BOOST_TEST(std::abs(found.area - area) <= 1e-13 * area);
+    BOOST_TEST((found.normal - area * normal).norm() <= 1e-13 * area);
+  }
+}
+
+/** The lines with n global refinements. */
+inline std::string
+refined(const std::string &lines, const unsigned int n)
+{
+  return lines + "set Global refinements = " + std::to_string(n) + "\n";
 }
 
 #endif

@@ -46,7 +46,10 @@ namespace Signorini
     std::vector<double>
     numbers(const std::string &entry) const;
 
-    /** Comma-separated integers, none below @p minimum. @throws InputError */
+    /**
+     * Comma-separated integers, none below @p minimum, the numbers of cells in
+     * each direction. @throws InputError also if their product is too large.
+     */
     std::vector<unsigned int>
     counts(const std::string &entry, const unsigned int minimum) const;
 

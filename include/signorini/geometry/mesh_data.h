@@ -68,6 +68,10 @@ namespace Signorini
     std::vector<Group>            groups;
   };
 
+  /** `(x y z)` in the units of the file, for messages. */
+  std::string
+  location_of_node(const MeshData &data, const unsigned int node);
+
   /**
    * Makes a mesh: elements of dimension `dim` become its cells, groups of them
    * its regions, groups of elements on its surface its boundaries. Coordinates

@@ -32,16 +32,21 @@ namespace Signorini
   };
 
   /**
-   * Makes refinement follow the sphere around @p center on the faces with the
-   * boundary id @p rim, and spreads the curvature over the inner cells
-   * (transfinite interpolation from the coarse cells), so that their size
-   * varies smoothly.
+   * Performs the initial refinements of a coarse mesh whose faces with the
+   * boundary id @p rim lie on the sphere; other faces of the boundary lie in
+   * cuts through the centre, perpendicular to an axis.
+   *
+   * The first two refinements spread the curvature over the inner cells
+   * (transfinite interpolation), so that their size varies smoothly. Then only
+   * the rim is curved, for good: every later refinement puts its new vertices
+   * on the sphere. This is fast, and cells that fine hardly differ any more.
+   * Cuts are plane to the last digit.
    */
   template <int dim>
   void
-  attach_round_manifolds(dealii::Triangulation<dim>      &triangulation,
-                         const dealii::Point<dim>        &center,
-                         const dealii::types::boundary_id rim);
+  refine_round(const RoundShape<dim>           &shape,
+               const dealii::types::boundary_id rim,
+               dealii::Triangulation<dim>      &triangulation);
 } // namespace Signorini
 
 #endif

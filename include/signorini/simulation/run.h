@@ -39,7 +39,7 @@ namespace Signorini
 
   /**
    * Print every entry with its default and documentation, for a problem with
-   * one example body, as a .prm that can be read back.
+   * one example body, in the syntax of a .prm.
    */
   void
   print_parameters(std::ostream &stream);

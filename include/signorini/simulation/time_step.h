@@ -90,7 +90,8 @@ namespace Signorini
 
     // Largest unbalanced force over the largest force.
     double
-    imbalance(const State                          &state,
+    imbalance(const State                          &old_state,
+              const State                          &state,
               dealii::Vector<double>                residual,
               const std::vector<SurfacePoint<dim>> &points,
               const std::vector<double>            &multipliers) const;
@@ -119,7 +120,8 @@ namespace Signorini
     GeneralizedAlpha         scheme_;
     double                   multiplier_factor_;
     EffectiveSystem<dim>     system_;
-    double                   largest_mass_; // of a node, kg
+    double                   largest_mass_;      // of a node, kg
+    double                   largest_stiffness_; // of the diagonal, N/m
     unsigned int             section_residual_;
     unsigned int             section_contact_;
   };
