@@ -2,6 +2,7 @@
 #include <signorini/solid/mass_redistribution.h>
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <limits>
 #include <set>
@@ -117,11 +118,13 @@ namespace Signorini
             for (unsigned int s = 0; s < m; ++s)
               normal(r, s) += importance[j] * columns(j, r) * columns(j, s);
         }
+      LAPACKFullMatrix<double> spectrum(m);
+      spectrum = normal;
+      spectrum.compute_svd();
+      if (spectrum.singular_value(m - 1) < 1e-10 * spectrum.singular_value(0))
+        return {};
       FullMatrix<double> inverse(normal);
       inverse.gauss_jordan();
-      const double condition = inverse.linfty_norm() * normal.linfty_norm();
-      if (!(condition < 1e10))
-        return {};
 
       std::vector<double> weights(donors.size(), 0.);
       for (unsigned int j = 0; j < donors.size(); ++j)

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(second_order)
     {"Chung-Hulbert 0", chung_hulbert(0.)},
     {"HHT 0.1", hilber_hughes_taylor(0.1)},
     {"Meguid-Czekanski", meguid_czekanski()},
-    {"WBZ, alpha_B = -0.2", generalized_alpha(-0.2, 0., 0.36, 0.7)}};
+    {"WBZ, alpha_B = -0.2", Signorini::generalized_alpha(-0.2, 0., 0.36, 0.7)}};
   for (const auto &[name, scheme] : schemes)
     {
       BOOST_TEST_INFO(name);

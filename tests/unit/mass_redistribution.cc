@@ -1,13 +1,8 @@
-#include <signorini/solid/assembler.h>
-#include <signorini/solid/mass_redistribution.h>
-#include <signorini/solid/solid_model.h>
-
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <boost/test/unit_test.hpp>
 
-#include <set>
+#include "test_body.h"
 
 BOOST_AUTO_TEST_SUITE(mass_redistribution)
 
@@ -21,30 +16,21 @@ namespace
   SolidModel<2>
   block(const unsigned int degree, const ContactMass kind)
   {
-    ParameterHandler prm;
-    Body<2>::declare_parameters(prm);
-    Loads<2>::declare_parameters(prm);
-    Supports<2>::declare_parameters(prm);
-    prm.parse_input_from_string(
-      "set Mesh = rectangle\n"
-      "subsection Rectangle\n set Corners = 0, 0 ; 2, 1\n"
-      " set Cells = 6, 4\nend\n"
-      "set Refinements near = 0, 1 : 0.4 : 1\n"
-      "set Element degree = " +
-      std::to_string(degree) +
-      "\nsubsection Material\n set Young's modulus = 1000\n"
-      " set Density = 3\nend\n");
-    auto body =
-      std::make_unique<Body<2>>("b", Formulation::plane_stress, "", 0, prm);
-    Loads<2>    loads(*body, {}, prm);
-    Supports<2> supports(*body, {}, prm);
-
-    std::vector<SolidModel<2>::Part> parts;
-    std::vector<Node<2>>             nodes = body->boundary_nodes("bottom");
-    const auto                       right = body->boundary_nodes("right");
+    auto        model = test_model<2>("set Mesh = rectangle\n"
+                                      "subsection Rectangle\n"
+                                      " set Corners = 0, 0 ; 2, 1\n"
+                                      " set Cells = 6, 4\nend\n"
+                                      "set Refinements near = 0, 1 : 0.4 : 1\n"
+                                      "set Element degree = " +
+                                 std::to_string(degree) +
+                                 "\nsubsection Material\n"
+                                        " set Young's modulus = 1000\n"
+                                        " set Density = 3\nend\n",
+                               Formulation::plane_stress);
+    const auto &body  = *model.parts()[0].body;
+    auto        nodes = body.boundary_nodes("bottom");
+    const auto  right = body.boundary_nodes("right");
     nodes.insert(nodes.end(), right.begin(), right.end());
-    parts.push_back({std::move(body), std::move(loads), std::move(supports)});
-    SolidModel<2> model(std::move(parts));
     model.assemble({true, false, kind, {nodes}});
     return model;
   }
@@ -54,12 +40,7 @@ namespace
   double
   energy(const SolidModel<2> &model, const Field &field)
   {
-    Vector<double> v(model.n_dofs());
-    for (const auto &node : model.parts()[0].body->nodes())
-      for (unsigned int c = 0; c < 2; ++c)
-        v[node.dofs[c]] = field(node.point, c);
-    model.constraints().distribute(v);
-    return model.mass().matrix_norm_square(v);
+    return model.mass().matrix_norm_square(interpolate(model, field));
   }
 
   const auto translation = [](const Point<2> &, const unsigned int c) {

@@ -1,0 +1,214 @@
+// What a step costs, as ratios of times measured in this one run. Prints, never
+// judges: a busy machine is no mistake of the program. Run it in Release:
+//   build/release/tests/performance/benchmark [number of threads]
+#include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/simulation/parameter_file.h>
+#include <signorini/simulation/platform.h>
+#include <signorini/simulation/problem.h>
+#include <signorini/simulation/time_step.h>
+#include <signorini/solid/assembler.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+  using namespace Signorini;
+  using namespace dealii;
+
+  Problem<2>
+  read(const std::string &path)
+  {
+    const ParameterFile  file    = ParameterFile::read(path);
+    const ProblemOutline outline = ProblemOutline::read(file);
+    ParameterHandler     prm;
+    declare_problem_parameters<2>(outline, prm);
+    file.apply(prm);
+    return Problem<2>::create(outline, file.directory(), prm);
+  }
+
+
+
+  template <typename Function>
+  double
+  seconds(const Function &function)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    function();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         start)
+      .count();
+  }
+
+
+
+  // The least of several repetitions: what else the machine did only adds.
+  template <typename Function>
+  double
+  least_seconds(const unsigned int n, const Function &function)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < n; ++i)
+      least = std::min(least, seconds(function));
+    return least;
+  }
+
+
+
+  void
+  print(const std::string &name, const double value, const std::string &unit)
+  {
+    std::cout << std::left << std::setw(58) << name << std::right
+              << std::setw(10) << std::setprecision(4) << value << ' ' << unit
+              << std::endl;
+  }
+
+
+
+  TimeStep<2>::Settings
+  settings(const Problem<2> &problem)
+  {
+    return {problem.time,
+            problem.contact_parameters.algorithm,
+            problem.contact_parameters.force_tolerance};
+  }
+
+
+
+  // K^ of a step, on the pattern of the model.
+  SparseMatrix<double>
+  effective_stiffness(const Problem<2> &problem)
+  {
+    const GeneralizedAlpha &scheme = problem.time.scheme;
+    SparseMatrix<double>    matrix(problem.solid->sparsity());
+    matrix.copy_from(problem.solid->stiffness());
+    matrix *= 1. - scheme.alpha_H;
+    matrix.add((1. - scheme.alpha_B) *
+                 scheme.acceleration_factor(problem.time.step_size),
+               problem.solid->mass());
+    return matrix;
+  }
+
+
+
+  // The time loop of the beam against the substitutions that it cannot avoid.
+  void
+  measure_linear_steps()
+  {
+    const Problem<2>   problem = read("prm/cantilever_beam.prm");
+    const unsigned int n_steps = 2400;
+
+    SparseCholesky cholesky;
+    cholesky.analyse(problem.solid->sparsity(), problem.solid->is_fixed(), {});
+    cholesky.factorise(effective_stiffness(problem));
+    Vector<double> x(cholesky.order().size());
+    const double   substitutions = least_seconds(3, [&] {
+      x = 1.;
+      for (unsigned int n = 0; n < n_steps; ++n)
+        {
+          cholesky.forward_substitution(x);
+          cholesky.backward_substitution(x);
+        }
+    });
+
+    Timings     timings;
+    TimeStep<2> time_step(*problem.solid,
+                          *problem.contact,
+                          settings(problem),
+                          timings);
+    const State start = time_step.initial_state(problem.initial_displacement,
+                                                problem.initial_velocity);
+    time_step.advance(start, problem.time.step_size); // factorises
+    const double loop = least_seconds(3, [&] {
+      State state = start;
+      for (unsigned int n = 0; n < n_steps; ++n)
+        state = time_step.advance(state, problem.time.step_size);
+    });
+
+    std::cout << "Beam, 80 x 8 cells, 2400 steps\n";
+    print("bare substitutions", 1e6 * substitutions / n_steps, "us a step");
+    print("time loop", 1e6 * loop / n_steps, "us a step");
+    print("time loop / substitutions (asked: < 6)", loop / substitutions, "");
+    std::cout << timings.table() << '\n';
+  }
+
+
+
+  double
+  refactorising_step(const Problem<2> &problem)
+  {
+    Timings     timings;
+    TimeStep<2> time_step(*problem.solid,
+                          *problem.contact,
+                          settings(problem),
+                          timings);
+    const State start  = time_step.initial_state(problem.initial_displacement,
+                                                problem.initial_velocity);
+    double      factor = 1.;
+    return least_seconds(5, [&] {
+      factor *= 0.99; // another step size needs another factor
+      time_step.advance(start, factor * problem.time.step_size);
+    });
+  }
+
+
+
+  void
+  measure_large_block()
+  {
+    const Problem<2> block = read("tests/performance/block.prm");
+    const Problem<2> alone = read("tests/performance/block_alone.prm");
+    std::cout << "Block, " << block.solid->n_dofs() << " unknowns, "
+              << block.contact->interface_dofs().size()
+              << " of them on the interface\n";
+
+    SparseCholesky             cholesky;
+    const SparseMatrix<double> matrix   = effective_stiffness(alone);
+    const double               ordering = seconds([&] {
+      cholesky.analyse(alone.solid->sparsity(), alone.solid->is_fixed(), {});
+    });
+    const double               factorisation =
+      least_seconds(3, [&] { cholesky.factorise(matrix); });
+    SparseMatrix<double> stiffness(alone.solid->sparsity());
+    Vector<double>       force(alone.solid->n_dofs());
+    const Vector<double> zero(alone.solid->n_dofs());
+    const double         assembly = least_seconds(3, [&] {
+      stiffness = 0.;
+      add_stiffness(*alone.solid->parts()[0].body,
+                    alone.solid->constraints(),
+                    zero,
+                    1.,
+                    stiffness,
+                    force);
+    });
+    print("ordering, once", 1e3 * ordering, "ms");
+    print("factorisation", 1e3 * factorisation, "ms");
+    print("assembly of the stiffness", 1e3 * assembly, "ms");
+    print("assembly / factorisation (asked: < 0.333, one thread)",
+          assembly / factorisation,
+          "");
+    const double with    = refactorising_step(block);
+    const double without = refactorising_step(alone);
+    print("step with contact, refactorised", 1e3 * with, "ms");
+    print("step without contact, refactorised", 1e3 * without, "ms");
+    print("with / without contact (asked: < 1.15)", with / without, "");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  const unsigned int n_threads = argc > 1 ? std::stoi(argv[1]) : 1;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, n_threads);
+  limit_blas_threads(n_threads);
+  std::cout << "Threads: " << n_threads << '\n';
+  measure_linear_steps();
+  measure_large_block();
+}
