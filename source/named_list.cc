@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
+#include <signorini/silenced_errors.h>
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
@@ -76,6 +77,7 @@ namespace Signorini
   double
   parse_number(const std::string &text, const std::string &entry)
   {
+    const SilencedErrors silence;
     try
       {
         FunctionParser<1> function(1);

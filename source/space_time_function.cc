@@ -1,5 +1,7 @@
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
+#include <signorini/nearest_name.h>
+#include <signorini/silenced_errors.h>
 #include <signorini/space_time_function.h>
 
 #include <deal.II/base/numbers.h>
@@ -74,6 +76,7 @@ namespace Signorini
                        " expression(s) in \"" + text + "\", expected " +
                        std::to_string(n_components) +
                        ", separated by semicolons.");
+    const SilencedErrors silence;
     try
       {
         function_->initialize(variables<dim>(), expressions, constants, true);
@@ -84,10 +87,14 @@ namespace Signorini
       {
         std::ostringstream reason;
         error.print_info(reason);
+        std::vector<std::string> names;
+        for (const auto &[name, number] : constants)
+          names.push_back(name);
         throw InputError(entry + ": cannot read the expression \"" + text +
                          "\". Allowed are the variables " + variables<dim>() +
-                         ", the entry Constants, and muParser's operators and "
-                         "functions. " +
+                         ", the constants " + comma_separated(names) +
+                         " (more of them: entry Constants), and muParser's "
+                         "operators and functions. " +
                          Utilities::trim(reason.str()));
       }
   }

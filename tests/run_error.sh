@@ -4,6 +4,8 @@
 # Comment lines at the beginning of the file say what has to happen:
 #   # expect: TEXT    must occur in the output; as many lines as needed
 #   # exit: 3         the exit code; without this line 1, and found by --check
+#   # output: DIR     run, do not check, with the results in DIR
+#   # full: FILE      no byte can be written to this file of the results
 set -u
 program=$1
 prm=$2
@@ -15,17 +17,29 @@ fail() {
   failed=1
 }
 
-code=$(sed -n 's/^# *exit: *//p' "$prm" | head -n 1)
-options=(--threads 1 --output-directory "$scratch")
+header() {
+  sed -n "s/^# *$1: *//p" "$prm"
+}
+
+code=$(header exit | head -n 1)
+folder=$(header output | head -n 1)
+full=$(header full | head -n 1)
+options=(--threads 1 --output-directory "${folder:-$scratch}")
 # A wrong input has to be found before anything is computed.
-if [ "${code:-1}" = 1 ]; then options+=(--check); fi
+if [ "${code:-1}" = 1 ] && [ -z "$folder" ]; then options+=(--check); fi
 
 rm -rf "$scratch"
+if [ -n "$full" ]; then
+  results=$scratch/$(basename "$prm" .prm)
+  mkdir -p "$results"
+  ln -s /dev/full "$results/$full"
+  options+=(--overwrite)
+fi
 output=$("$program" "$prm" "${options[@]}" 2>&1)
 found=$?
 [ "$found" = "${code:-1}" ] || fail "exit code $found, expected ${code:-1}."
 
-expected=$(sed -n 's/^# *expect: *//p' "$prm")
+expected=$(header expect)
 [ -n "$expected" ] || fail "has no line \"# expect: TEXT\"."
 while IFS= read -r text; do
   grep -qF -- "$text" <<<"$output" || fail "the output lacks: $text"

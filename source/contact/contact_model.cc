@@ -1,6 +1,7 @@
 #include <signorini/contact/contact_model.h>
 
 #include <map>
+#include <sstream>
 
 namespace Signorini
 {
@@ -10,14 +11,15 @@ namespace Signorini
   {
     constexpr unsigned int not_on_interface = static_cast<unsigned int>(-1);
 
-    // Takes out the nodes that cannot follow a contact force. Faces that lose
-    // a node are lost for pictures only.
+    // Takes out and returns the nodes that cannot follow a contact force. Faces
+    // that lose a node are lost for pictures only.
     template <int dim>
-    void
+    std::vector<Node<dim>>
     remove_fixed_nodes(ContactorSurface<dim>   &surface,
                        const std::vector<bool> &is_fixed)
     {
       ContactorSurface<dim>     kept;
+      std::vector<Node<dim>>    removed;
       std::vector<unsigned int> new_index(surface.nodes.size(),
                                           not_on_interface);
       for (unsigned int n = 0; n < surface.nodes.size(); ++n)
@@ -26,7 +28,10 @@ namespace Signorini
           if (std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int i) {
                 return is_fixed[i];
               }))
-            continue;
+            {
+              removed.push_back(surface.nodes[n]);
+              continue;
+            }
           new_index[n] = kept.nodes.size();
           kept.nodes.push_back(surface.nodes[n]);
           kept.areas.push_back(surface.areas[n]);
@@ -39,6 +44,17 @@ namespace Signorini
             kept.faces.push_back(face);
         }
       surface = std::move(kept);
+      return removed;
+    }
+
+    template <int dim>
+    Point<dim>
+    position_of(const Node<dim> &node, const Vector<double> &displacement)
+    {
+      Point<dim> position = node.point;
+      for (unsigned int c = 0; c < dim; ++c)
+        position[c] += displacement[node.dofs[c]];
+      return position;
     }
   } // namespace
 
@@ -63,7 +79,7 @@ namespace Signorini
                                target->name() :
                                body->name() + "." + boundary + "." + target->name();
         pair.first_contact = n_contacts_;
-        remove_fixed_nodes(pair.contactor, is_fixed);
+        pair.held_nodes    = remove_fixed_nodes(pair.contactor, is_fixed);
         n_contacts_ += pair.contactor.nodes.size();
         pairs_.push_back(std::move(pair));
       }
@@ -116,14 +132,64 @@ namespace Signorini
       {
         const Tensor<1, dim> translation = pair.target->translation(time);
         for (const auto &node : pair.contactor.nodes)
-          {
-            Point<dim> position = node.point;
-            for (unsigned int c = 0; c < dim; ++c)
-              position[c] += displacement[node.dofs[c]];
-            points.push_back(pair.target->closest(position, translation));
-          }
+          points.push_back(
+            pair.target->closest(position_of(node, displacement), translation));
       }
     return points;
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactModel<dim>::held_penetration(const Vector<double> &displacement,
+                                      const double          time) const
+  {
+    for (const auto &pair : pairs_)
+      {
+        const Tensor<1, dim> translation = pair.target->translation(time);
+        for (const auto &node : pair.held_nodes)
+          {
+            const Point<dim> position = position_of(node, displacement);
+            const double gap = pair.target->closest(position, translation).gap;
+            const double rounding =
+              1e-10 *
+              std::max(node.point.norm(),
+                       node.point.distance(pair.body->nodes()[0].point));
+            if (gap >= -rounding)
+              continue;
+            std::ostringstream message;
+            message << "at t = " << time << " s the node of body "
+                    << pair.body->name() << " at (" << node.point
+                    << "), which is held by Supports, lies " << -gap
+                    << " m inside of the rigid body \"" << pair.target->name()
+                    << "\" and cannot make room. Change the motion of one of "
+                       "them, or leave a component of the node free.";
+            return message.str();
+          }
+      }
+    return "";
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactModel<dim>::candidates_in_words(
+    const std::vector<unsigned int> &candidates) const
+  {
+    constexpr unsigned int most = 3;
+    std::ostringstream     words;
+    unsigned int           n = 0;
+    for_each_candidate(
+      [&](const unsigned int k, const Node<dim> &node, const auto &pair) {
+        if (std::count(candidates.begin(), candidates.end(), k) == 0 ||
+            ++n > most)
+          return;
+        words << (n > 1 ? ", " : "") << pair.name << " at (" << node.point
+              << ")";
+      });
+    return words.str() + (n > most ? ", ..." : "");
   }
 
 

@@ -64,13 +64,16 @@ namespace Signorini
     const Tensor<1, dim> axis =
       is_cylinder ? parse_point<dim>(prm.get("Axis"), path + "Axis") :
                     Tensor<1, dim>();
-    const double radius = prm.get_double("Radius");
-    const bool   inside = prm.get("Side") == "inside";
+    const double      radius = prm.get_double("Radius");
+    const std::string found  = prm.get("Radius");
+    const bool        inside = prm.get("Side") == "inside";
     prm.leave_subsection();
     if (radius <= 0.)
-      throw InputError(path + "Radius: must be greater than zero, in m.");
+      throw InputError(
+        path + "Radius: must be greater than zero, in m, found " + found + ".");
     if (is_cylinder && axis.norm() == 0.)
-      throw InputError(path + "Axis: has length zero; give a direction.");
+      throw InputError(
+        path + "Axis: has length zero; give a direction, such as 0, 0, 1.");
     return std::make_unique<Sphere<dim>>(centre, radius, axis, inside);
   }
 

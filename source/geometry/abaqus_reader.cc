@@ -200,7 +200,8 @@ namespace Signorini
           const auto node = node_of_label.find(
             lines.to_integer(pending[i + 1], "the number of a node"));
           if (node == node_of_label.end())
-            lines.fail("there is no node " + pending[i + 1] + ".");
+            lines.fail("there is no node " + pending[i + 1] +
+                       ". Save the mesh again, with all its nodes.");
           if (i < element.nodes.size())
             element.nodes[i] = node->second;
         }

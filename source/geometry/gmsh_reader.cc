@@ -299,7 +299,8 @@ namespace Signorini
           const long label = words.integer("the number of a node");
           const auto node  = node_of_label.find(label);
           if (node == node_of_label.end())
-            words.fail("there is no node " + std::to_string(label) + ".");
+            words.fail("there is no node " + std::to_string(label) +
+                       ". Save the mesh again, with all its nodes.");
           if (i < element.nodes.size())
             element.nodes[i] = node->second;
         }

@@ -42,7 +42,7 @@ namespace Signorini
         {
           const fs::path path(file_name);
           throw InputError(
-            "File / Name: there is no file \"" + file_name +
+            "there is no file \"" + file_name +
             "\". A relative name begins at the folder of the .prm." +
             did_you_mean(path.filename().string(), mesh_files_beside(path)));
         }
@@ -50,7 +50,7 @@ namespace Signorini
       std::ostringstream text;
       text << in.rdbuf();
       if (!in || !text)
-        throw InputError("File / Name: the file \"" + file_name +
+        throw InputError("the file \"" + file_name +
                          "\" cannot be read, or is empty.");
       return text.str();
     }
@@ -113,9 +113,17 @@ namespace Signorini
   {
     const bool is_gmsh =
       upper_case(fs::path(file_name).extension().string()) == ".MSH";
-    return build_mesh<dim>(is_gmsh ? read_gmsh(file_name, content(file_name)) :
-                                     read_abaqus(file_name, content(file_name)),
-                           scale);
+    try
+      {
+        const std::string text = content(file_name);
+        return build_mesh<dim>(is_gmsh ? read_gmsh(file_name, text) :
+                                         read_abaqus(file_name, text),
+                               scale);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(std::string("File / Name: ") + error.what());
+      }
   }
 
   template class MeshFile<2>;

@@ -139,9 +139,9 @@ namespace Signorini
         if (cell->vertex(v)[0] < -tolerance)
           {
             std::ostringstream message;
-            message << "Formulation = axisymmetric: x is the distance from the "
-                    << "axis, so that the mesh must lie in x >= 0, but it has "
-                    << "a vertex at (" << cell->vertex(v)
+            message << "Mesh: x is the distance from the axis (Formulation = "
+                    << "axisymmetric), so that the mesh must lie in x >= 0, "
+                    << "but it has a vertex at (" << cell->vertex(v)
                     << "). Move the mesh, or mesh only its right half.";
             throw InputError(message.str());
           }
@@ -155,8 +155,8 @@ namespace Signorini
           if (std::abs(face->vertex(v)[0]) > tolerance)
             {
               std::ostringstream message;
-              message << "Formulation = axisymmetric: the boundary \"axis\" "
-                      << "must lie on x = 0, but has a vertex at ("
+              message << "Mesh: the boundary \"axis\" must lie on x = 0 "
+                      << "(Formulation = axisymmetric), but has a vertex at ("
                       << face->vertex(v)
                       << "). Give the centre the coordinate x = 0.";
               throw InputError(message.str());

@@ -1,6 +1,7 @@
 #include <signorini/input_error.h>
 #include <signorini/output/check_expression.h>
 #include <signorini/output/check_syntax.h>
+#include <signorini/silenced_errors.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -67,6 +68,7 @@ namespace Signorini
     evaluate_formula(const std::string                   &formula,
                      const std::map<std::string, double> &variables)
     {
+      const SilencedErrors silence;
       try
         {
           dealii::FunctionParser<1> parser(1);
@@ -79,9 +81,8 @@ namespace Signorini
         {
           std::ostringstream reason;
           error.print_info(reason);
-          throw InputError(
-            "The formula '" + formula +
-            "' cannot be read. muParser says: " + trim(reason.str()));
+          throw InputError("The formula cannot be read. muParser says: " +
+                           trim(reason.str()));
         }
     }
 

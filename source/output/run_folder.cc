@@ -20,8 +20,9 @@ namespace Signorini
     {
       throw InputError("The output folder '" + folder.string() +
                        "' cannot be used: " + reason +
-                       ". Choose another output folder in the parameter file, "
-                       "or change the rights or contents of this one.");
+                       ". Choose another one (Output / Directory, or "
+                       "--output-directory), or change the rights or contents "
+                       "of this one.");
     }
 
     bool

@@ -126,7 +126,15 @@ namespace Signorini
         throw InputError(entry + ": found \"" + text +
                          "\". Write \"BODY.BOUNDARY on RIGID BODY\", for "
                          "instance \"beam.bottom on floor\".");
-      const Body<dim>  &body = solid.body(text.substr(0, dot), entry);
+      const std::string contactor = Utilities::trim(text.substr(0, dot));
+      for (const auto &rigid_body : rigid_bodies)
+        if (rigid_body->name() == contactor)
+          throw InputError(entry + ": found \"" + text + "\", but \"" +
+                           contactor +
+                           "\" is a rigid body. It stands after \"on\": write "
+                           "\"BODY.BOUNDARY on " +
+                           contactor + "\".");
+      const Body<dim>  &body = solid.body(contactor, entry);
       const std::string boundary =
         Utilities::trim(text.substr(dot + 1, on - dot - 1));
       const std::string target = Utilities::trim(text.substr(on + 4));
@@ -205,12 +213,42 @@ namespace Signorini
           if (smallest >= -1e-10 * extent)
             continue;
           std::ostringstream message;
-          message << "Contact pair " << pair.name << ": at t = 0 the node at ("
-                  << place << ") lies " << -smallest
-                  << " m inside of the rigid body \"" << pair.target->name()
+          message << "Contact / Pairs: at t = 0 the node of body "
+                  << pair.body->name() << " at (" << place << ") lies "
+                  << -smallest << " m inside of the rigid body \""
+                  << pair.target->name()
                   << "\". Move one of them apart, or turn the normal (plane) "
                      "or the Side (circle, sphere, cylinder) round.";
           throw InputError(message.str());
+        }
+      const std::string held = contact.held_penetration(displacement, 0.);
+      if (!held.empty())
+        throw InputError("Contact / Pairs: " + held);
+    }
+
+
+
+    // One list of names at the top of the file, of which `used` knows those
+    // that came before.
+    void
+    check_names(const std::vector<std::string> &names,
+                const std::string              &place,
+                std::set<std::string>          &used)
+    {
+      for (const auto &name : names)
+        {
+          if (name.empty())
+            throw InputError(place + "a name is empty. Remove a comma, or "
+                                     "write the name that is missing.");
+          if (name.find_first_of(".|:/ \t") != std::string::npos)
+            throw InputError(place + "the name \"" + name +
+                             "\" has one of the characters . | : / or a "
+                             "blank, which part names in other entries. Use "
+                             "letters, digits, - and _.");
+          if (!used.insert(name).second)
+            throw InputError(place + "two bodies have the name \"" + name +
+                             "\". Give each, rigid or not, a name of its "
+                             "own.");
         }
     }
   } // namespace
@@ -228,7 +266,9 @@ namespace Signorini
       }
     catch (const InputError &error)
       {
-        throw InputError(file.where("Formulation") + ": " + error.what());
+        throw InputError(file.where("Formulation") + ": " + error.what() +
+                         did_you_mean(file.get("Formulation", ""),
+                                      split_list(formulation_names(), '|')));
       }
     outline.bodies       = split_list(file.get("Bodies", ""), ',');
     outline.rigid_bodies = split_list(file.get("Rigid bodies", ""), ',');
@@ -237,19 +277,10 @@ namespace Signorini
                        ": the entry Bodies names no body. Write \"set Bodies "
                        "= NAME\" and a section \"Body NAME\".");
     std::set<std::string> names;
-    for (const auto *list : {&outline.bodies, &outline.rigid_bodies})
-      for (const auto &name : *list)
-        {
-          if (name.empty() || name.find_first_of(".|:/ ") != std::string::npos)
-            throw InputError(file.where("Bodies") + ": the name \"" + name +
-                             "\" of a body is empty or has one of the "
-                             "characters . | : / or a space.");
-          if (!names.insert(name).second)
-            throw InputError(file.where("Bodies") +
-                             ": two bodies have the "
-                             "name \"" +
-                             name + "\".");
-        }
+    check_names(outline.bodies, file.where("Bodies") + ": Bodies: ", names);
+    check_names(outline.rigid_bodies,
+                file.where("Rigid bodies") + ": Rigid bodies: ",
+                names);
     return outline;
   }
 

@@ -12,6 +12,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <fstream>
+#include <limits>
+#include <memory>
 #include <sstream>
 
 namespace Signorini
@@ -54,6 +56,43 @@ namespace Signorini
       return text.str();
     }
 
+    // Messages begin with a path, "Body beam / Material / Law: ...". Puts the
+    // place in front where this entry, or else the nearest section around it,
+    // stands; without any, the file.
+    std::string
+    with_place(const ParameterFile &file, const std::string &message)
+    {
+      std::string path =
+        message.substr(0, std::min(message.find(": "), message.find(" = ")));
+      for (std::size_t slash = path.find(" / "); slash != std::string::npos;
+           slash             = path.find(" / "))
+        path.replace(slash, 3, "/");
+      while (!path.empty())
+        {
+          const std::string place = file.where(path);
+          if (place != "default")
+            return place + ": " + message;
+          const std::size_t slash = path.rfind('/');
+          path = slash == std::string::npos ? "" : path.substr(0, slash);
+        }
+      return file.path() + ": " + message;
+    }
+
+    // Problem and time loop; wrong input is reported with its place.
+    template <typename Creator>
+    auto
+    created_from(const ParameterFile &file, const Creator &create)
+    {
+      try
+        {
+          return create();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(with_place(file, error.what()));
+        }
+    }
+
     void
     write_parameters(const ParameterHandler &prm, const std::string &path)
     {
@@ -77,9 +116,13 @@ namespace Signorini
       file.apply(prm);
       const auto problem = [&] {
         const auto timing = timings.measure("set-up");
-        return Problem<dim>::create(outline, file.directory(), prm);
+        return created_from(file, [&] {
+          return Problem<dim>::create(outline, file.directory(), prm);
+        });
       }();
-      Simulation<dim> simulation(problem, timings);
+      const auto simulation = created_from(file, [&] {
+        return std::make_unique<Simulation<dim>>(problem, timings);
+      });
       if (options.check_only)
         {
           Log("").line(file.path() + ": the input is fine\n" +
@@ -99,7 +142,7 @@ namespace Signorini
       write_parameters(prm, folder + "/parameters.prm");
       try
         {
-          simulation.run(folder, options.max_steps, log);
+          simulation->run(folder, options.max_steps, log);
         }
       catch (const std::exception &error)
         {
@@ -132,6 +175,8 @@ namespace Signorini
     ParameterHandler prm;
     declare_problem_parameters<2>(
       {Formulation::plane_strain, {"beam"}, {"floor"}}, prm);
+    prm.set("Bodies", std::string("beam"));
+    prm.set("Rigid bodies", std::string("floor"));
     prm.print_parameters(stream, ParameterHandler::Text);
   }
 } // namespace Signorini

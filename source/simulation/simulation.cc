@@ -31,6 +31,22 @@ namespace Signorini
               problem.contact_parameters.force_tolerance};
     }
 
+    // Errors in the checks name their entry.
+    template <typename Action>
+    auto
+    in_checks(const Action &action)
+    {
+      try
+        {
+          return action();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(std::string("Expected results / Checks: ") +
+                           error.what());
+        }
+    }
+
     // Times of the grid and of cut steps are sums; this much is rounding.
     constexpr double rounding = 1e-9;
   } // namespace
@@ -53,12 +69,13 @@ namespace Signorini
     , timings_(timings)
     , time_step_(*problem.solid, *problem.contact, settings(problem), timings)
     , fields_(problem)
-    , expected_(problem.output.checks)
+    , expected_(
+        in_checks([&] { return ExpectedResults(problem.output.checks); }))
     , step_size_(problem.time.step_size)
     , start_(std::chrono::steady_clock::now())
   {
     add_history_columns(problem, history_);
-    expected_.check_names(history_, fields_);
+    in_checks([&] { expected_.check_names(history_, fields_); });
   }
 
 
@@ -166,9 +183,10 @@ namespace Signorini
           if (size < problem_.time.minimal_step_size)
             throw ComputationError(
               message.str() +
-              ". The step was cut down to the Minimal step size. Take smaller "
-              "steps or a finer mesh where contact happens; look at the last "
-              "results to see what happens there.");
+              ". The step was cut down to the Minimal step size. Look at the "
+              "last results to see what happens there. Often more Maximal "
+              "iterations, smaller steps, or a finer mesh where contact "
+              "happens help.");
           log.line(message.str() + "; cut in half");
         }
       catch (const NotPositiveDefinite &error)

@@ -68,9 +68,10 @@ namespace Signorini
     failure_message(const State &state, const double force_change)
     {
       std::ostringstream message;
-      message << state.n_iterations
-              << " iterations did not converge: unbalanced force "
-              << state.residual << " of the largest force, change of contact "
+      message << "not converged after " << state.n_iterations
+              << (state.n_iterations == 1 ? " iteration" : " iterations")
+              << ": unbalanced force " << state.residual
+              << " of the largest force, change of contact "
               << "forces " << force_change << ", interface residual "
               << state.kkt_residual;
       return message.str();
@@ -201,6 +202,10 @@ namespace Signorini
         solid_.apply_supports(state.time, state.displacement);
         state.internal_force = solid_.internal_force(state.displacement);
       }
+    const std::string held =
+      contact_.held_penetration(state.displacement, state.time);
+    if (!held.empty())
+      throw ComputationError("Contact: " + held);
 
     Iterate iterate = {old_state.normal_forces,
                        std::numeric_limits<double>::max(),
@@ -280,7 +285,11 @@ namespace Signorini
       }
     catch (const InterfaceError &error)
       {
-        throw StepFailed(error.what());
+        throw StepFailed(
+          error.what() +
+          (error.contacts().empty() ?
+             std::string() :
+             " They are: " + contact_.candidates_in_words(error.contacts())));
       }
   }
 

@@ -17,6 +17,23 @@ namespace Signorini
 
   namespace
   {
+    // Meshes and materials do not know whose they are.
+    template <typename Creator>
+    auto
+    named(const std::string &body, const Creator &create)
+    {
+      try
+        {
+          return create();
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Body " + body + " / " + error.what());
+        }
+    }
+
+
+
     // Bilinear cells need no table; for curved ones the manifold is asked once
     // a cell instead of at every visit.
     template <int dim>
@@ -70,12 +87,16 @@ namespace Signorini
                   ParameterHandler  &prm)
     : name_(name)
     , formulation_(formulation)
-    , mesh_(create_mesh<dim>(prm,
-                             base_directory,
-                             formulation == Formulation::axisymmetric ?
-                               "axisymmetric" :
-                               ""))
-    , material_(create_material(prm))
+    , mesh_(named(name,
+                  [&] {
+                    return create_mesh<dim>(prm,
+                                            base_directory,
+                                            formulation ==
+                                                Formulation::axisymmetric ?
+                                              "axisymmetric" :
+                                              "");
+                  }))
+    , material_(named(name, [&] { return create_material(prm); }))
     , thickness_(prm.get_double("Thickness"))
     , mass_damping_(prm.get_double("Mass damping"))
     , stiffness_damping_(prm.get_double("Stiffness damping"))
@@ -83,7 +104,9 @@ namespace Signorini
   {
     if (thickness_ <= 0.)
       throw InputError("Body " + name +
-                       " / Thickness: must be greater than zero.");
+                       " / Thickness: must be greater than zero, in m, "
+                       "found " +
+                       prm.get("Thickness") + ".");
     distribute_dofs(prm.get_integer("Element degree"));
   }
 

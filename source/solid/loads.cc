@@ -166,7 +166,8 @@ namespace Signorini
                                         section(*body_) + "Rotation axis");
         if (rotation_axis_.norm() == 0.)
           throw InputError(section(*body_) +
-                           "Rotation axis: has no direction.");
+                           "Rotation axis: has length zero; give a direction, "
+                           "such as 0, 0, 1.");
         rotation_axis_ /= rotation_axis_.norm();
       }
   }

@@ -67,7 +67,8 @@ namespace Signorini
     };
 
     // Weights that fall so steeply with the distance that on a regular mesh the
-    // node across the cell carries nearly all, while equally near ones share.
+    // node across the cell is the only one, while equally near ones share.
+    // Every further node would cost entries of the mass matrix.
     template <int dim>
     std::vector<double>
     nearest_weights(const Point<dim>              &point,
@@ -80,7 +81,8 @@ namespace Signorini
       double              sum = 0.;
       for (const auto &donor : donors)
         {
-          weights.push_back(std::pow(nearest / donor.distance(point), 12));
+          const double weight = std::pow(nearest / donor.distance(point), 12);
+          weights.push_back(weight < 0.05 ? 0. : weight);
           sum += weights.back();
         }
       for (double &weight : weights)

@@ -56,6 +56,25 @@ namespace Signorini
         }
     }
 
+    // Which of the first n motions take part in one that the fixed unknowns
+    // leave free, when the others are forbidden: the kernel of a Gram matrix.
+    std::vector<bool>
+    free_motions(const FullMatrix<double> &gram, const unsigned int n)
+    {
+      LAPACKFullMatrix<double> matrix(n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = gram(i, j);
+      FullMatrix<double> vectors;
+      Vector<double>     values;
+      matrix.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
+      std::vector<bool> is_free(n);
+      for (unsigned int k = 0; k < values.size(); ++k)
+        for (unsigned int i = 0; i < n; ++i)
+          is_free[i] = is_free[i] || std::abs(vectors(i, k)) > 0.1;
+      return is_free;
+    }
+
     template <int dim>
     Tensor<1, 3>
     arm(const Point<dim> &point, const Point<dim> &centre, const double scale)
@@ -82,8 +101,8 @@ namespace Signorini
 
     // The Gram matrix of the motions at the fixed unknowns: its kernel is what
     // they do not prevent.
-    const auto               motions = rigid_motions(body.formulation());
-    LAPACKFullMatrix<double> gram(motions.size());
+    const auto         motions = rigid_motions(body.formulation());
+    FullMatrix<double> gram(motions.size());
     for (const auto &node : body.nodes())
       for (unsigned int c = 0; c < dim; ++c)
         if (is_fixed[node.dofs[c]])
@@ -93,16 +112,16 @@ namespace Signorini
                 const auto r = arm(node.point, centre, scale);
                 gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
               }
-    FullMatrix<double> vectors;
-    Vector<double>     values;
-    gram.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
-
-    std::string names;
-    for (unsigned int k = 0; k < values.size(); ++k)
-      for (unsigned int i = 0; i < motions.size(); ++i)
-        if (std::abs(vectors(i, k)) > 0.1 &&
-            names.find(motions[i].name) == std::string::npos)
-          names += (names.empty() ? "" : ", ") + motions[i].name;
+    // A rotation about a fixed point moves the centre, too: translations count
+    // only when they are possible without any rotation.
+    const unsigned int n_translations =
+      body.formulation() == Formulation::axisymmetric ? 1 : dim;
+    const std::vector<bool> translates = free_motions(gram, n_translations);
+    const std::vector<bool> moves      = free_motions(gram, motions.size());
+    std::string             names;
+    for (unsigned int i = 0; i < motions.size(); ++i)
+      if (i < n_translations ? translates[i] : moves[i])
+        names += (names.empty() ? "" : ", ") + motions[i].name;
     return names;
   }
 
@@ -116,8 +135,8 @@ namespace Signorini
     const std::string motion = free_rigid_motion(body, is_fixed);
     if (!motion.empty())
       throw InputError("Body " + body.name() +
-                       ": nothing holds it in a static run; it can still move "
-                       "by " +
+                       ": a static run needs it to be held, but it can still "
+                       "move by " +
                        motion +
                        ". Fix it in its section Supports, or set Time / "
                        "Analysis = dynamic.");

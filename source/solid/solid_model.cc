@@ -163,7 +163,8 @@ namespace Signorini
         if (body.material().density() <= 0.)
           throw InputError("Body " + body.name() +
                            " / Material / Density: must be greater than zero "
-                           "in a dynamic run, in kg/m^3.");
+                           "in a dynamic run, in kg/m^3. Without inertia set "
+                           "Time / Analysis = static.");
         add_mass(body, constraints_, inertia.lumped, 1., mass);
         if (body.mass_damping() > 0.)
           add_mass(

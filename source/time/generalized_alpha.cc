@@ -13,16 +13,18 @@ namespace Signorini
 
     void
     require(const bool         condition,
+            const std::string &entry,
             const std::string &rule,
             const std::string &found,
             const std::string &consequence)
     {
       if (condition)
         return;
-      throw InputError("Time integration: " + rule + " is required, found " +
-                       found + ". Otherwise " + consequence +
-                       ". Mend the numbers in the section Time, or choose a "
-                       "scheme by name.");
+      throw InputError("Time / " + entry + ": " + rule +
+                       " is required, found " + found + ". Otherwise " +
+                       consequence +
+                       ". Mend the numbers in the section Time, or choose "
+                       "another Scheme.");
     }
 
     std::string
@@ -76,6 +78,7 @@ namespace Signorini
   hilber_hughes_taylor(const double alpha_H)
   {
     require(alpha_H >= 0. && alpha_H <= 0.5 + rounding,
+            "alpha_H",
             "0 <= alpha_H <= 1/2",
             number("alpha_H", alpha_H),
             "the scheme of Hilber, Hughes and Taylor is unstable");
@@ -88,6 +91,7 @@ namespace Signorini
   chung_hulbert(const double spectral_radius)
   {
     require(spectral_radius >= 0. && spectral_radius <= 1.,
+            "Spectral radius",
             "0 <= Spectral radius <= 1",
             number("Spectral radius", spectral_radius),
             "high frequencies grow from step to step");
@@ -112,18 +116,22 @@ namespace Signorini
                     const double gamma)
   {
     require(alpha_H <= 0.5 + rounding,
+            "alpha_H",
             "alpha_H <= 1/2",
             number("alpha_H", alpha_H),
             "the scheme is unstable for high frequencies");
     require(alpha_B <= alpha_H + rounding,
+            "alpha_B",
             "alpha_B <= alpha_H",
             number("alpha_B", alpha_B) + ", " + number("alpha_H", alpha_H),
             "the scheme is unstable");
     require(gamma >= 0.5 - alpha_B + alpha_H - rounding,
+            "gamma",
             "gamma >= 1/2 - alpha_B + alpha_H",
             number("gamma", gamma),
             "the scheme makes energy");
     require(2. * beta >= gamma - rounding,
+            "beta",
             "2 beta >= gamma",
             number("beta", beta) + ", " + number("gamma", gamma),
             "the step size is bounded by the finest element");

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <sstream>
 
 namespace Signorini
 {
@@ -51,6 +52,14 @@ namespace Signorini
       for (const auto &[name, scheme] : schemes())
         names += (names.empty() ? "" : "|") + name;
       return names;
+    }
+
+    std::string
+    number(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
     }
 
     void
@@ -167,15 +176,25 @@ namespace Signorini
     prm.leave_subsection();
 
     if (parameters.end_time <= 0.)
-      throw InputError("Time / End time: must be greater than zero.");
+      throw InputError("Time / End time: must be greater than zero, in s, "
+                       "found " +
+                       number(parameters.end_time) + ".");
     if (parameters.step_size <= 0.)
-      throw InputError("Time / Step size: must be greater than zero.");
+      throw InputError("Time / Step size: must be greater than zero, in s, "
+                       "found " +
+                       number(parameters.step_size) + ".");
     if (parameters.step_size > parameters.end_time * (1. + 1e-12))
-      throw InputError("Time / Step size: is greater than the End time; "
-                       "choose a step that is not longer than the run.");
+      throw InputError("Time / Step size: found " +
+                       number(parameters.step_size) +
+                       " s, which is greater than the End time of " +
+                       number(parameters.end_time) +
+                       " s. Choose a step that is not longer than the run.");
     if (parameters.minimal_step_size > parameters.step_size)
-      throw InputError("Time / Minimal step size: is greater than the Step "
-                       "size; choose a smaller one, or 0 for the default.");
+      throw InputError("Time / Minimal step size: found " +
+                       number(parameters.minimal_step_size) +
+                       " s, which is greater than the Step size of " +
+                       number(parameters.step_size) +
+                       " s. Choose a smaller one, or 0 for the default.");
     if (parameters.minimal_step_size == 0.)
       parameters.minimal_step_size = parameters.step_size / 1024.;
     return parameters;

@@ -3,6 +3,7 @@
 #include <signorini/variational_inequality/penalty.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace Signorini
 {
@@ -10,11 +11,14 @@ namespace Signorini
     : stiffness(stiffness)
   {
     if (!(stiffness > 0.) || !std::isfinite(stiffness))
-      throw InputError("Contact / Penalty stiffness: found " +
-                       std::to_string(stiffness) +
-                       ", but the algorithm `penalty' needs a number greater "
-                       "than zero. Ten to a thousand times the stiffness of "
-                       "the body at a node is usual.");
+      {
+        std::ostringstream found;
+        found << stiffness;
+        throw InputError("Contact / Penalty stiffness: found " + found.str() +
+                         ", but the algorithm `penalty' needs a number greater "
+                         "than zero. Ten to a thousand times the stiffness of "
+                         "the body at a node is usual.");
+      }
   }
 
 

@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(thick_cylinder)
   const double truth =
     (1. + nu) / E * factor * ((1. - 2. * nu) * a + b * b / a);
   double errors[2];
-  for (const unsigned int refinement : {0u, 1u})
+  for (const unsigned int refinement : {1u, 2u})
     {
       const auto model = static_model<2>(
         "set Mesh = rectangle\nsubsection Rectangle\n"
@@ -152,9 +152,9 @@ BOOST_AUTO_TEST_CASE(thick_cylinder)
         Formulation::axisymmetric);
       const auto  u    = solve(model);
       const auto &node = model.parts()[0].body->node_near(Point<2>(1., 0.), "");
-      errors[refinement] = relative(u[node.dofs[0]], truth);
+      errors[refinement - 1] = relative(u[node.dofs[0]], truth);
     }
-  BOOST_TEST(errors[1] < 2e-3);
+  BOOST_TEST(errors[1] < 1e-3);
   BOOST_TEST(std::abs(std::log2(errors[0] / errors[1]) - 2.) < 0.2);
 }
 

@@ -17,11 +17,12 @@ namespace Signorini
   template <int dim>
   struct ContactPair
   {
-    std::string           name; // column prefix in the history
-    const Body<dim>      *body;
-    const RigidBody<dim> *target;
-    ContactorSurface<dim> contactor;
-    unsigned int          first_contact; // in the count of all pairs
+    std::string            name; // column prefix in the history
+    const Body<dim>       *body;
+    const RigidBody<dim>  *target;
+    ContactorSurface<dim>  contactor;
+    std::vector<Node<dim>> held_nodes;    // that cannot follow a contact force
+    unsigned int           first_contact; // in the count of all pairs
   };
 
   /**
@@ -75,6 +76,18 @@ namespace Signorini
     std::vector<SurfacePoint<dim>>
     evaluate(const dealii::Vector<double> &displacement,
              const double                  time) const;
+
+    /**
+     * What is wrong in words if a node that is held, and therefore no
+     * candidate, lies inside of a target; empty otherwise.
+     */
+    std::string
+    held_penetration(const dealii::Vector<double> &displacement,
+                     const double                  time) const;
+
+    /** `floor at (0 0), ...' for the first few of these candidates. */
+    std::string
+    candidates_in_words(const std::vector<unsigned int> &candidates) const;
 
     /** Rows A_k = -n on the interface unknowns, and gaps G_k. */
     std::vector<InterfaceContact>
