@@ -32,38 +32,22 @@ namespace Signorini
       operator=(const Common &) = delete;
     };
 
-    struct SparseDeleter
+    template <typename T, int (*release)(T **, cholmod_common *)>
+    struct Deleter
     {
       cholmod_common *common;
       void
-      operator()(cholmod_sparse *matrix) const
+      operator()(T *object) const
       {
-        cholmod_free_sparse(&matrix, common);
+        release(&object, common);
       }
     };
-    using SparseHandle = std::unique_ptr<cholmod_sparse, SparseDeleter>;
+    template <typename T, int (*release)(T **, cholmod_common *)>
+    using Handle = std::unique_ptr<T, Deleter<T, release>>;
 
-    struct FactorDeleter
-    {
-      cholmod_common *common;
-      void
-      operator()(cholmod_factor *factor) const
-      {
-        cholmod_free_factor(&factor, common);
-      }
-    };
-    using FactorHandle = std::unique_ptr<cholmod_factor, FactorDeleter>;
-
-    struct DenseDeleter
-    {
-      cholmod_common *common;
-      void
-      operator()(cholmod_dense *matrix) const
-      {
-        cholmod_free_dense(&matrix, common);
-      }
-    };
-    using DenseHandle = std::unique_ptr<cholmod_dense, DenseDeleter>;
+    using SparseHandle = Handle<cholmod_sparse, cholmod_free_sparse>;
+    using FactorHandle = Handle<cholmod_factor, cholmod_free_factor>;
+    using DenseHandle  = Handle<cholmod_dense, cholmod_free_dense>;
 
     // The lower triangle of the pattern with unknown i at position
     // position[i], as compressed columns with sorted rows. `source`, if given,
