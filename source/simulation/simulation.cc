@@ -291,6 +291,16 @@ namespace Signorini
          << format_duration(seconds_since(start_));
     log.line(text.str());
 
+    const auto largest = [&](const std::string &column) {
+      const auto values = history_.values(column);
+      return *std::max_element(values.begin(), values.end());
+    };
+    std::ostringstream residuals;
+    residuals << std::setprecision(2) << "largest residuals: forces "
+              << largest("residual") << ", contact (KKT) "
+              << largest("kkt_residual");
+    log.line(residuals.str());
+
     const EnergyLedger &energy = state.energy;
     std::ostringstream  ledger;
     ledger << std::setprecision(5) << "energy [J]: initial " << energy.initial
@@ -302,16 +312,13 @@ namespace Signorini
     log.line(ledger.str());
     for (const auto &pair : problem_.contact->pairs())
       {
-        const auto penetration = history_.values(pair.name + ".penetration");
-        const auto pressure    = history_.values(pair.name + ".pressure_max");
         std::ostringstream line;
         line << std::setprecision(4) << "contact " << pair.name << ": "
              << pair.contactor.nodes.size()
              << " candidate nodes, largest pressure "
-             << *std::max_element(pressure.begin(), pressure.end())
+             << largest(pair.name + ".pressure_max")
              << " Pa, largest penetration "
-             << *std::max_element(penetration.begin(), penetration.end())
-             << " m";
+             << largest(pair.name + ".penetration") << " m";
         log.line(line.str());
       }
     log.line(timings_.table());

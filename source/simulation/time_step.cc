@@ -240,7 +240,8 @@ namespace Signorini
                            const Iterate                        &iterate) const
   {
     if (state.n_iterations == 0 ||
-        !(state.residual <= settings_.time.residual_tolerance))
+        !(state.residual <= settings_.time.residual_tolerance) ||
+        !(state.kkt_residual <= settings_.time.residual_tolerance))
       return false;
     if (contact_.is_flat())
       return true;

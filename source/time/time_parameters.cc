@@ -151,8 +151,9 @@ namespace Signorini
                       "1e-9",
                       Patterns::Double(0.),
                       "Largest unbalanced nodal force, relative to the largest "
-                      "nodal force of the step, at which a step has converged. "
-                      "Unit: 1.");
+                      "nodal force of the step, and largest optimality (KKT) "
+                      "residual of the contact problem at which a step has "
+                      "converged. Unit: 1.");
     prm.leave_subsection();
   }
 
