@@ -115,9 +115,11 @@ namespace Signorini
     state.support_force.reinit(solid_.n_dofs());
     state.normal_forces.resize(contact_.n_contacts());
     solid_.apply_supports(0., state.displacement);
-    state.external_force = solid_.external_force(0.);
+    // A static run starts unloaded: its first step brings the loads from zero.
+    state.external_force.reinit(solid_.n_dofs());
     if (settings_.time.dynamic)
       {
+        state.external_force = solid_.external_force(0.);
         solid_.apply_support_rates(0.,
                                    settings_.time.step_size,
                                    state.velocity,
