@@ -99,11 +99,30 @@ namespace Signorini
                 values.shape_value(fe.face_to_cell_index(i, face), q) *
                 values.JxW(q) * body.volume_factor(values.quadrature_point(q));
         }
+
+    // An area that is zero but for rounding would make a pressure of it.
+    const double largest =
+      *std::max_element(surface.areas.begin(), surface.areas.end());
+    for (double &area : surface.areas)
+      if (area < 1e-10 * largest)
+        area = 0.;
     return surface;
   }
 
 
 
+  template <int dim>
+  double
+  ContactorSurface<dim>::pressure(const unsigned int node,
+                                  const double       force) const
+  {
+    return areas[node] > 0. ? force / areas[node] : 0.;
+  }
+
+
+
+  template struct ContactorSurface<2>;
+  template struct ContactorSurface<3>;
   template ContactorSurface<2>
   contactor_surface(const Body<2> &, const std::string &);
   template ContactorSurface<3>

@@ -39,9 +39,8 @@ namespace Signorini
           result.force += force * points[k].normal;
           total_force += force;
           total_area += pair.contactor.areas[n];
-          if (pair.contactor.areas[n] > 0.)
-            result.pressure_max =
-              std::max(result.pressure_max, force / pair.contactor.areas[n]);
+          result.pressure_max =
+            std::max(result.pressure_max, pair.contactor.pressure(n, force));
         }
       if (total_area > 0.)
         result.pressure_mean = total_force / total_area;

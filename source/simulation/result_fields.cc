@@ -151,8 +151,7 @@ namespace Signorini
       {
         const unsigned int k    = pair.first_contact + n;
         const auto        &node = pair.contactor.nodes[n];
-        const double       area = pair.contactor.areas[n];
-        const double       p = area > 0. ? state_->normal_forces[k] / area : 0.;
+        const double p = pair.contactor.pressure(n, state_->normal_forces[k]);
         data.nodes.push_back(node.point);
         gap.push_back(state_->gaps[k]);
         pressure.push_back(p);

@@ -26,6 +26,13 @@ namespace Signorini
      * or 4 (lexicographic) indices of nodes.
      */
     std::vector<std::vector<unsigned int>> faces;
+
+    /**
+     * Contact pressure at a node under a contact force (N), in Pa. A node that
+     * has no area (on the axis, with quadratic elements) gets zero.
+     */
+    double
+    pressure(const unsigned int node, const double force) const;
   };
 
   /** The nodes, areas and faces of a named boundary. @throws InputError. */
