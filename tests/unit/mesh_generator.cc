@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(rectangle)
   BOOST_TEST(error_of_enclosure(mesh) < 1e-13);
 
   // The four cells in the corners have the first and the last sizes.
-  std::array<double, 2> first, last;
+  std::array<double, 2> first = {}, last = {};
   for (const auto &cell : mesh.triangulation->active_cell_iterators())
     for (unsigned int d = 0; d < 2; ++d)
       {
