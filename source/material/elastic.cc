@@ -29,16 +29,16 @@ namespace Signorini
     const double poissons_ratio = prm.get_double("Poisson's ratio");
     const double density        = prm.get_double("Density");
     if (youngs_modulus <= 0.)
-      throw InputError("Material / Young's modulus: must be greater than zero, "
+      throw InputError("Young's modulus: must be greater than zero, "
                        "in Pa (steel: 210e9), found " +
                        prm.get("Young's modulus") + ".");
     if (poissons_ratio <= -1. || poissons_ratio >= 0.5)
-      throw InputError("Material / Poisson's ratio: must lie between -1 and "
+      throw InputError("Poisson's ratio: must lie between -1 and "
                        "0.5, both excluded, found " +
                        prm.get("Poisson's ratio") +
                        ". For a nearly incompressible material take 0.499.");
     if (density < 0.)
-      throw InputError("Material / Density: must not be negative, in kg/m^3, "
+      throw InputError("Density: must not be negative, in kg/m^3, "
                        "found " +
                        prm.get("Density") + ".");
     return std::make_unique<Elastic>(youngs_modulus, poissons_ratio, density);

@@ -1,3 +1,4 @@
+#include <signorini/input_error.h>
 #include <signorini/material/elastic.h>
 #include <signorini/material/material.h>
 
@@ -26,13 +27,13 @@ namespace Signorini
 
 
   void
-  declare_material_parameters(ParameterHandler &prm)
+  declare_material_parameters(const std::string &section, ParameterHandler &prm)
   {
     std::string names;
     for (const auto &[name, create] : laws())
       names += (names.empty() ? "" : "|") + name;
 
-    prm.enter_subsection("Material");
+    prm.enter_subsection(section);
     prm.declare_entry("Law",
                       "elastic",
                       Patterns::Selection(names),
@@ -56,11 +57,18 @@ namespace Signorini
 
 
   std::unique_ptr<Material>
-  create_material(ParameterHandler &prm)
+  create_material(const std::string &section, ParameterHandler &prm)
   {
-    prm.enter_subsection("Material");
-    std::unique_ptr<Material> material = laws().at(prm.get("Law"))(prm);
-    prm.leave_subsection();
-    return material;
+    prm.enter_subsection(section);
+    try
+      {
+        std::unique_ptr<Material> material = laws().at(prm.get("Law"))(prm);
+        prm.leave_subsection();
+        return material;
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + " / " + error.what());
+      }
   }
 } // namespace Signorini

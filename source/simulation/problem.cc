@@ -81,9 +81,10 @@ namespace Signorini
 
     template <int dim>
     void
-    declare_body_parameters(ParameterHandler &prm)
+    declare_body_parameters(const std::vector<std::string> &regions,
+                            ParameterHandler               &prm)
     {
-      Body<dim>::declare_parameters(prm);
+      Body<dim>::declare_parameters(regions, prm);
       Supports<dim>::declare_parameters(prm);
       Loads<dim>::declare_parameters(prm);
       prm.declare_entry("Initial displacement",
@@ -281,6 +282,9 @@ namespace Signorini
     check_names(outline.rigid_bodies,
                 file.where("Rigid bodies") + ": Rigid bodies: ",
                 names);
+    for (const auto &name : outline.bodies)
+      outline.regions.push_back(
+        split_list(file.get("Body " + name + "/Regions", ""), ','));
     return outline;
   }
 
@@ -292,10 +296,10 @@ namespace Signorini
                              ParameterHandler     &prm)
   {
     declare_general_parameters(prm);
-    for (const auto &name : outline.bodies)
+    for (unsigned int b = 0; b < outline.bodies.size(); ++b)
       {
-        prm.enter_subsection("Body " + name);
-        declare_body_parameters<dim>(prm);
+        prm.enter_subsection("Body " + outline.bodies[b]);
+        declare_body_parameters<dim>(outline.regions[b], prm);
         prm.leave_subsection();
       }
     for (const auto &name : outline.rigid_bodies)

@@ -4,6 +4,8 @@
 #include <deal.II/base/work_stream.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <map>
+
 #include "strain_operator.h"
 
 namespace Signorini
@@ -89,6 +91,7 @@ namespace Signorini
     cell_stiffness(const Body<dim>      &body,
                    const Vector<double> &displacement,
                    const double          factor,
+                   const Material       &material,
                    const PointResponse  *constant_response,
                    ScratchData<dim>     &scratch,
                    CopyData             &copy)
@@ -120,7 +123,7 @@ namespace Signorini
             }
           const PointResponse response =
             respond(body.formulation(),
-                    body.material(),
+                    material,
                     displacement_gradient(values, q, copy, displacement),
                     hoop,
                     {});
@@ -150,21 +153,22 @@ namespace Signorini
     {
       // A linear law answers the same at every point and displacement: its
       // tangent is asked for once, and the force is K times displacement.
-      PointResponse        constant_response;
-      const PointResponse *linear = nullptr;
-      if (body.material().is_linear())
-        {
-          constant_response = respond(
-            body.formulation(), body.material(), Tensor<2, dim>(), 0., {});
-          linear = &constant_response;
-        }
+      std::map<const Material *, PointResponse> constant_responses;
+      for (const Material *const material : body.materials())
+        if (material->is_linear())
+          constant_responses[material] =
+            respond(body.formulation(), *material, Tensor<2, dim>(), 0., {});
 
       const auto worker = [&](const auto       &cell,
                               ScratchData<dim> &scratch,
                               CopyData         &copy) {
         visit(body, cell, scratch, copy);
+        const Material &material = body.material(cell->material_id());
+        const auto      known    = constant_responses.find(&material);
+        const PointResponse *const linear =
+          known == constant_responses.end() ? nullptr : &known->second;
         cell_stiffness<dim, n_strains>(
-          body, displacement, factor, linear, scratch, copy);
+          body, displacement, factor, material, linear, scratch, copy);
         if (linear)
           for (unsigned int i = 0; i < copy.dofs.size(); ++i)
             for (unsigned int j = 0; j < copy.dofs.size(); ++j)
@@ -188,13 +192,13 @@ namespace Signorini
     template <int dim>
     void
     cell_mass(const Body<dim>  &body,
+              const double      density,
               const bool        lump,
               const double      factor,
               ScratchData<dim> &scratch,
               CopyData         &copy)
     {
-      const auto  &values  = scratch.values;
-      const double density = body.material().density();
+      const auto &values = scratch.values;
       for (const unsigned int q : values.quadrature_point_indices())
         {
           const double weight = factor * density * values.JxW(q) *
@@ -248,7 +252,12 @@ namespace Signorini
       body.dof_handler().end(),
       [&](const auto &cell, ScratchData<dim> &scratch, CopyData &copy) {
         visit(body, cell, scratch, copy);
-        cell_mass(body, lump, factor, scratch, copy);
+        cell_mass(body,
+                  body.material(cell->material_id()).density(),
+                  lump,
+                  factor,
+                  scratch,
+                  copy);
       },
       [&](const CopyData &copy) {
         constraints.distribute_local_to_global(copy.matrix, copy.dofs, mass);

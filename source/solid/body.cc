@@ -1,5 +1,7 @@
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/input_error.h>
+#include <signorini/named_list.h>
+#include <signorini/nearest_name.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -53,7 +55,8 @@ namespace Signorini
 
   template <int dim>
   void
-  Body<dim>::declare_parameters(ParameterHandler &prm)
+  Body<dim>::declare_parameters(const std::vector<std::string> &regions,
+                                ParameterHandler               &prm)
   {
     declare_mesh_parameters<dim>(prm);
     prm.declare_entry("Element degree",
@@ -74,7 +77,16 @@ namespace Signorini
                       "0",
                       Patterns::Double(0.),
                       "b in Rayleigh's C = a M + b K. Unit: s.");
-    declare_material_parameters(prm);
+    prm.declare_entry("Regions",
+                      "",
+                      Patterns::Anything(),
+                      "Names of regions of the mesh that have a material of "
+                      "their own, separated by commas. Each has a section "
+                      "`Material NAME'; the rest of the body has the section "
+                      "`Material'.");
+    declare_material_parameters("Material", prm);
+    for (const auto &region : regions)
+      declare_material_parameters("Material " + region, prm);
   }
 
 
@@ -96,7 +108,7 @@ namespace Signorini
                                               "axisymmetric" :
                                               "");
                   }))
-    , material_(named(name, [&] { return create_material(prm); }))
+    , material_(named(name, [&] { return create_material("Material", prm); }))
     , thickness_(prm.get_double("Thickness"))
     , mass_damping_(prm.get_double("Mass damping"))
     , stiffness_damping_(prm.get_double("Stiffness damping"))
@@ -107,7 +119,46 @@ namespace Signorini
                        " / Thickness: must be greater than zero, in m, "
                        "found " +
                        prm.get("Thickness") + ".");
+    create_region_materials(prm);
     distribute_dofs(prm.get_integer("Element degree"));
+  }
+
+
+
+  template <int dim>
+  void
+  Body<dim>::create_region_materials(ParameterHandler &prm)
+  {
+    for (const std::string &region : split_list(prm.get("Regions"), ','))
+      {
+        const auto found = mesh_.regions.find(region);
+        if (found == mesh_.regions.end())
+          {
+            std::vector<std::string> names;
+            for (const auto &[known, id] : mesh_.regions)
+              names.push_back(known);
+            throw InputError("Body " + name_ +
+                             " / Regions: the mesh has no "
+                             "region \"" +
+                             region + "\"." + did_you_mean(region, names) +
+                             " It has: " + comma_separated(names) + ".");
+          }
+        region_materials_[found->second] = named(name_, [&] {
+          return create_material("Material " + region, prm);
+        });
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<const Material *>
+  Body<dim>::materials() const
+  {
+    std::vector<const Material *> list = {material_.get()};
+    for (const auto &[id, material] : region_materials_)
+      list.push_back(material.get());
+    return list;
   }
 
 

@@ -197,9 +197,10 @@ namespace Signorini
 
   template <int dim>
   Tensor<1, dim>
-  Loads<dim>::force_density(const Point<dim> &point, const double time) const
+  Loads<dim>::force_density(const Point<dim> &point,
+                            const double      density,
+                            const double      time) const
   {
-    const double   density = body_->material().density();
     Tensor<1, dim> force;
     for (const auto &function : body_forces_)
       force += function.vector_value(point, time);
@@ -250,10 +251,11 @@ namespace Signorini
         values.reinit(
           static_cast<typename Triangulation<dim>::cell_iterator>(cell));
         cell->get_dof_indices(indices);
+        const double density = body_->material(cell->material_id()).density();
         for (const unsigned int q : values.quadrature_point_indices())
           {
             const Point<dim>    &point = values.quadrature_point(q);
-            const Tensor<1, dim> force = force_density(point, time) *
+            const Tensor<1, dim> force = force_density(point, density, time) *
                                          values.JxW(q) *
                                          body_->volume_factor(point);
             for (const unsigned int a : values.dof_indices())

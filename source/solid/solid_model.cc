@@ -160,11 +160,12 @@ namespace Signorini
     for (const auto &part : parts_)
       {
         const Body<dim> &body = *part.body;
-        if (body.material().density() <= 0.)
-          throw InputError("Body " + body.name() +
-                           " / Material / Density: must be greater than zero "
-                           "in a dynamic run, in kg/m^3. Without inertia set "
-                           "Time / Analysis = static.");
+        for (const Material *const material : body.materials())
+          if (material->density() <= 0.)
+            throw InputError("Body " + body.name() +
+                             " / Material / Density: must be greater than zero "
+                             "in a dynamic run, in kg/m^3. Without inertia set "
+                             "Time / Analysis = static.");
         add_mass(body, constraints_, inertia.lumped, 1., mass);
         if (body.mass_damping() > 0.)
           add_mass(

@@ -129,7 +129,7 @@ namespace Signorini
                 radial / values.quadrature_point(q)[0] :
                 0.;
             at_points[q] = respond(body.formulation(),
-                                   body.material(),
+                                   body.material(cell->material_id()),
                                    gradient,
                                    hoop_strain,
                                    {})

@@ -16,7 +16,7 @@ namespace Signorini
   test_model(const std::string &section, const Formulation formulation)
   {
     dealii::ParameterHandler prm;
-    Body<dim>::declare_parameters(prm);
+    Body<dim>::declare_parameters({}, prm);
     Loads<dim>::declare_parameters(prm);
     Supports<dim>::declare_parameters(prm);
     prm.parse_input_from_string(section);

@@ -70,16 +70,17 @@ namespace Signorini
     double density_;
   };
 
-  /** Declares the section `Material` of a body with the entries of all laws. */
+  /** Declares a section of this name with the entries of all laws. */
   void
-  declare_material_parameters(dealii::ParameterHandler &prm);
+  declare_material_parameters(const std::string        &section,
+                              dealii::ParameterHandler &prm);
 
   /**
-   * Reads the section `Material`.
+   * Reads the section of this name.
    * @throws InputError for constants that no material can have.
    */
   std::unique_ptr<Material>
-  create_material(dealii::ParameterHandler &prm);
+  create_material(const std::string &section, dealii::ParameterHandler &prm);
 } // namespace Signorini
 
 #endif

@@ -22,6 +22,9 @@ namespace Signorini
     std::vector<std::string> bodies;
     std::vector<std::string> rigid_bodies;
 
+    /** Of each body: the regions that have a material of their own. */
+    std::vector<std::vector<std::string>> regions;
+
     /** Reads the entries of the top level. @throws InputError. */
     static ProblemOutline
     read(const ParameterFile &file);

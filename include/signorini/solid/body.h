@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,9 +40,13 @@ namespace Signorini
   class Body
   {
   public:
-    /** Declares the entries of a section `Body NAME`, from inside it. */
+    /**
+     * Declares the entries of a section `Body NAME`, from inside it.
+     * @param regions of the mesh that have a section `Material REGION`
+     */
     static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    declare_parameters(const std::vector<std::string> &regions,
+                       dealii::ParameterHandler       &prm);
 
     /**
      * Reads the section, from inside it.
@@ -97,11 +102,17 @@ namespace Signorini
       return *dof_handler_;
     }
 
+    /** The material of the cells with this id. */
     const Material &
-    material() const
+    material(const dealii::types::material_id id) const
     {
-      return *material_;
+      const auto own = region_materials_.find(id);
+      return own == region_materials_.end() ? *material_ : *own->second;
     }
+
+    /** All materials of the body: of the regions, and that of the rest. */
+    std::vector<const Material *>
+    materials() const;
 
     /** m; 1 unless the formulation is plane. */
     double
@@ -169,6 +180,9 @@ namespace Signorini
 
   private:
     void
+    create_region_materials(dealii::ParameterHandler &prm);
+
+    void
     distribute_dofs(const unsigned int degree);
 
     std::string                              name_;
@@ -179,11 +193,13 @@ namespace Signorini
     std::unique_ptr<dealii::Mapping<dim>>    mapping_;
     std::unique_ptr<dealii::DoFHandler<dim>> dof_handler_;
     std::unique_ptr<Material>                material_;
-    double                                   thickness_;
-    double                                   mass_damping_;
-    double                                   stiffness_damping_;
-    unsigned int                             first_dof_;
-    std::vector<Node<dim>>                   nodes_;
+    std::map<dealii::types::material_id, std::unique_ptr<Material>>
+                           region_materials_;
+    double                 thickness_;
+    double                 mass_damping_;
+    double                 stiffness_damping_;
+    unsigned int           first_dof_;
+    std::vector<Node<dim>> nodes_;
   };
 } // namespace Signorini
 

@@ -70,7 +70,9 @@ namespace Signorini
     parse_rotation(const Constants &constants, dealii::ParameterHandler &prm);
 
     dealii::Tensor<1, dim>
-    force_density(const dealii::Point<dim> &point, const double time) const;
+    force_density(const dealii::Point<dim> &point,
+                  const double              density,
+                  const double              time) const;
 
     void
     add_volume_forces(const double time, dealii::Vector<double> &forces) const;
