@@ -11,15 +11,17 @@ namespace Signorini
   {
     constexpr unsigned int not_on_interface = static_cast<unsigned int>(-1);
 
-    // Takes out and returns the nodes that cannot follow a contact force. Faces
+    // Takes out the nodes that cannot follow a contact force, and returns those
+    // of them that are held; hanging ones are where their neighbours are. Faces
     // that lose a node are lost for pictures only.
     template <int dim>
     std::vector<Node<dim>>
     remove_fixed_nodes(ContactorSurface<dim>   &surface,
-                       const std::vector<bool> &is_fixed)
+                       const std::vector<bool> &is_fixed,
+                       const std::vector<bool> &is_hanging)
     {
       ContactorSurface<dim>     kept;
-      std::vector<Node<dim>>    removed;
+      std::vector<Node<dim>>    held;
       std::vector<unsigned int> new_index(surface.nodes.size(),
                                           not_on_interface);
       for (unsigned int n = 0; n < surface.nodes.size(); ++n)
@@ -29,7 +31,8 @@ namespace Signorini
                 return is_fixed[i];
               }))
             {
-              removed.push_back(surface.nodes[n]);
+              if (!is_hanging[dofs[0]])
+                held.push_back(surface.nodes[n]);
               continue;
             }
           new_index[n] = kept.nodes.size();
@@ -44,7 +47,7 @@ namespace Signorini
             kept.faces.push_back(face);
         }
       surface = std::move(kept);
-      return removed;
+      return held;
     }
 
     template <int dim>
@@ -62,7 +65,8 @@ namespace Signorini
 
   template <int dim>
   ContactModel<dim>::ContactModel(const std::vector<PairNames> &pairs,
-                                  const std::vector<bool>      &is_fixed)
+                                  const std::vector<bool>      &is_fixed,
+                                  const std::vector<bool>      &is_hanging)
     : interface_index_(is_fixed.size(), not_on_interface)
   {
     std::map<std::string, unsigned int> n_pairs_of_target;
@@ -79,7 +83,8 @@ namespace Signorini
                                target->name() :
                                body->name() + "." + boundary + "." + target->name();
         pair.first_contact = n_contacts_;
-        pair.held_nodes    = remove_fixed_nodes(pair.contactor, is_fixed);
+        pair.held_nodes =
+          remove_fixed_nodes(pair.contactor, is_fixed, is_hanging);
         n_contacts_ += pair.contactor.nodes.size();
         pairs_.push_back(std::move(pair));
       }

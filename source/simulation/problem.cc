@@ -381,7 +381,9 @@ namespace Signorini
                                   prm.get_double("Force tolerance")};
     prm.leave_subsection();
     problem.contact =
-      std::make_unique<ContactModel<dim>>(pairs, problem.solid->is_fixed());
+      std::make_unique<ContactModel<dim>>(pairs,
+                                          problem.solid->is_fixed(),
+                                          problem.solid->is_hanging());
     Vector<double> start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
     refuse_overclosure(*problem.contact, start);

@@ -43,11 +43,13 @@ namespace Signorini
     };
 
     /**
-     * @param is_fixed unknowns that do not move with the solution; nodes that
-     *                 cannot move at all are no candidates
+     * @param is_fixed   unknowns that do not move with the solution; nodes that
+     *                   cannot move at all are no candidates
+     * @param is_hanging those of them that follow their neighbours
      */
     ContactModel(const std::vector<PairNames> &pairs,
-                 const std::vector<bool>      &is_fixed);
+                 const std::vector<bool>      &is_fixed,
+                 const std::vector<bool>      &is_hanging);
 
     const std::vector<ContactPair<dim>> &
     pairs() const

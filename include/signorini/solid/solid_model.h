@@ -75,6 +75,13 @@ namespace Signorini
       return is_fixed_;
     }
 
+    /** Unknowns of hanging nodes, which follow their neighbours. */
+    const std::vector<bool> &
+    is_hanging() const
+    {
+      return is_hanging_;
+    }
+
     /** True if no unknown has a motion that depends on time. */
     bool
     supports_are_fixed() const
