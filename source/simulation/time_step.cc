@@ -1,4 +1,5 @@
 #include <signorini/simulation/energy_balance.h>
+#include <signorini/simulation/initial_acceleration.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
 
@@ -35,20 +36,6 @@ namespace Signorini
       for (unsigned int i = 0; i < matrix.m(); ++i)
         largest = std::max(largest, matrix.diag_element(i));
       return largest;
-    }
-
-    // Of the oscillations of single nodes; the true one is less than twice it.
-    template <int dim>
-    double
-    largest_frequency(const SolidModel<dim> &solid)
-    {
-      double square = 0.;
-      for (unsigned int i = 0; i < solid.n_dofs(); ++i)
-        if (!solid.is_fixed()[i] && solid.mass().diag_element(i) > 0.)
-          square = std::max(square,
-                            solid.stiffness().diag_element(i) /
-                              solid.mass().diag_element(i));
-      return std::sqrt(square);
     }
 
     double
@@ -125,7 +112,10 @@ namespace Signorini
                                    state.velocity,
                                    state.acceleration);
         solid_.mass_redistribution().extrapolate(state.velocity);
-        balance_initial_acceleration(state);
+        balance_initial_acceleration(solid_,
+                                     evaluate_contact(state),
+                                     system_,
+                                     state);
       }
     state.internal_force = solid_.internal_force(state.displacement);
     const auto points    = evaluate_contact(state);
@@ -135,41 +125,6 @@ namespace Signorini
     measure_energy(solid_, state);
     state.energy.initial = state.energy.kinetic + state.energy.stored;
     return state;
-  }
-
-
-
-  template <int dim>
-  void
-  TimeStep<dim>::balance_initial_acceleration(State &state)
-  {
-    // The motion in a time tau that is short against every oscillation of the
-    // mesh: nodes with mass move by A tau^2, those without to their balance.
-    const double tau    = 1e-4 / largest_frequency(solid_);
-    const double factor = 1. / (tau * tau);
-    system_.factorise({1., factor, 0.});
-
-    Vector<double> force = solid_.internal_force(state.displacement);
-    force.sadd(-1., 1., state.external_force);
-    Vector<double> product(force.size());
-    solid_.mass().vmult(product, state.acceleration); // of given motions
-    force -= product;
-    if (solid_.is_damped())
-      {
-        solid_.damping().vmult(product, state.velocity);
-        force -= product;
-      }
-    const auto correction =
-      system_.correct(force, evaluate_contact(state), state.normal_forces);
-    state.normal_forces = correction.multipliers;
-    for (unsigned int i = 0; i < correction.motion.size(); ++i)
-      if (solid_.mass_redistribution().is_massless(i))
-        state.displacement[i] += correction.motion[i];
-      else
-        state.acceleration[i] += factor * correction.motion[i];
-    solid_.constraints().distribute(state.displacement);
-    solid_.constraints().distribute(state.acceleration);
-    solid_.mass_redistribution().extrapolate(state.acceleration);
   }
 
 

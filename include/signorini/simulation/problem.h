@@ -3,11 +3,11 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
+#include <signorini/simulation/contact_parameters.h>
 #include <signorini/simulation/output_parameters.h>
-#include <signorini/simulation/parameter_file.h>
+#include <signorini/simulation/problem_outline.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/time_parameters.h>
-#include <signorini/variational_inequality/algorithm_parameters.h>
 
 #include <memory>
 #include <string>
@@ -15,34 +15,11 @@
 
 namespace Signorini
 {
-  /** What decides which sections a .prm has. */
-  struct ProblemOutline
-  {
-    Formulation              formulation;
-    std::vector<std::string> bodies;
-    std::vector<std::string> rigid_bodies;
-
-    /** Of each body: the regions that have a material of their own. */
-    std::vector<std::vector<std::string>> regions;
-
-    /** Reads the entries of the top level. @throws InputError. */
-    static ProblemOutline
-    read(const ParameterFile &file);
-  };
-
   /** Declares every section and entry of a problem of this outline. */
   template <int dim>
   void
   declare_problem_parameters(const ProblemOutline     &outline,
                              dealii::ParameterHandler &prm);
-
-  /** The section `Contact`, but for the pairs. */
-  struct ContactParameters
-  {
-    AlgorithmParameters algorithm;
-    double              relative_penalty_stiffness; // of the body's, 1
-    double              force_tolerance;            // 1
-  };
 
   /** A whole .prm, made into objects: all that a run needs to begin. */
   template <int dim>

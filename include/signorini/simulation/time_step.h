@@ -69,9 +69,6 @@ namespace Signorini
       double              motion;       // largest of the correction, m
     };
 
-    void
-    balance_initial_acceleration(State &state);
-
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 

@@ -1,0 +1,48 @@
+#ifndef signorini_simulation_contact_parameters_h
+#define signorini_simulation_contact_parameters_h
+
+#include <signorini/contact/contact_model.h>
+#include <signorini/contact/rigid_body.h>
+#include <signorini/solid/solid_model.h>
+#include <signorini/variational_inequality/algorithm_parameters.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+  /** The section `Contact`. */
+  struct ContactParameters
+  {
+    std::vector<std::string> pairs; // as written
+    AlgorithmParameters      algorithm;
+    double                   relative_penalty_stiffness; // of the body's, 1
+    double                   force_tolerance;            // 1
+
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    static ContactParameters
+    parse(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * Finds the bodies and the boundaries that the pairs name.
+   * @throws InputError when there is none of that name.
+   */
+  template <int dim>
+  std::unique_ptr<ContactModel<dim>>
+  create_contact_model(
+    const ContactParameters                            &parameters,
+    const SolidModel<dim>                              &solid,
+    const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies);
+
+  /** @throws InputError if a node lies inside of its target at t = 0. */
+  template <int dim>
+  void
+  refuse_overclosure(const ContactModel<dim>      &contact,
+                     const dealii::Vector<double> &displacement);
+} // namespace Signorini
+
+#endif
