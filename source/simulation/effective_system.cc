@@ -70,7 +70,7 @@ namespace Signorini
     {
       const auto timing = timings_.measure(section_interface_);
       pose_interface_problem(points, multipliers, reduced_force);
-      solution = algorithm_->solve(problem_, multipliers);
+      solution = algorithm_->solve(problem_, InterfaceForces(multipliers));
 
       // The conditions of optimality are not those that a penalty obeys.
       correction.kkt_residual = algorithm_->enforces_exactly() ?
@@ -81,7 +81,7 @@ namespace Signorini
     correction.motion.reinit(residual.size());
     solver_->expand(solution.displacement, correction.motion);
     solid_.constraints().distribute(correction.motion);
-    correction.multipliers = std::move(solution.normal_forces);
+    correction.multipliers = std::move(solution.forces.normal);
     return correction;
   }
 

@@ -58,10 +58,10 @@ namespace Signorini
 
   InterfaceSolution
   AugmentedLagrangian::solve_closed(
-    const InterfaceProblem    &problem,
-    const std::vector<double> &starting_forces) const
+    const InterfaceProblem &problem,
+    const InterfaceForces  &starting_forces) const
   {
-    std::vector<double> forces = starting_forces;
+    std::vector<double> forces = starting_forces.normal;
     forces.resize(problem.n_contacts(), 0.);
     DualTerms terms;
     terms.compliance = 1. / stiffness;
@@ -83,7 +83,7 @@ namespace Signorini
             solution.n_iterations = iteration;
             return solution;
           }
-        forces = std::move(solution.normal_forces);
+        forces = std::move(solution.forces.normal);
       }
 
     std::ostringstream message;
@@ -107,7 +107,7 @@ namespace Signorini
       {
         const double gap = problem.gap_after(k, solution.displacement);
         if (gap < -penetration_tolerance ||
-            (solution.normal_forces[k] > 0. && gap > penetration_tolerance))
+            (solution.forces.normal[k] > 0. && gap > penetration_tolerance))
           contacts.push_back(k);
       }
     return contacts;

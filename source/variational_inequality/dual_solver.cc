@@ -93,11 +93,11 @@ namespace Signorini
       Assert(terms.offsets.empty() ||
                terms.offsets.size() == problem.n_contacts(),
              ExcDimensionMismatch(terms.offsets.size(), problem.n_contacts()));
-      solution.normal_forces.assign(problem.n_contacts(), 0.);
+      solution.forces = InterfaceForces(problem.n_contacts());
       for (unsigned int k = 0; k < starting_forces.size(); ++k)
         if (starting_forces[k] > 0.)
           {
-            solution.normal_forces[k] = starting_forces[k];
+            solution.forces.normal[k] = starting_forces[k];
             add_to_working_set(k);
           }
     }
@@ -148,18 +148,19 @@ namespace Signorini
       problem.prepare_responses(working_set);
       solution.displacement = problem.free_displacement();
       for (const unsigned int k : working_set)
-        if (solution.normal_forces[k] > 0.)
-          solution.displacement.add(-solution.normal_forces[k],
+        if (solution.forces.normal[k] > 0.)
+          solution.displacement.add(-solution.forces.normal[k],
                                     problem.response(k));
-      for (unsigned int k = 0; k < problem.n_contacts(); ++k)
-        excess[k] = offset(k) - problem.gap_after(k, solution.displacement) -
-                    terms.compliance * solution.normal_forces[k];
-
       // Every comparison with NaN is false: such a problem would pass for one
-      // without contact.
+      // without contact. A contact out of reach is as open as can be.
       double sum = 0.;
-      for (const double value : excess)
-        sum += value;
+      for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+        {
+          excess[k] = offset(k) - problem.gap_after(k, solution.displacement) -
+                      terms.compliance * solution.forces.normal[k];
+          if (problem.contact(k).normal.size() > 0)
+            sum += excess[k];
+        }
       if (!std::isfinite(sum))
         fail("Contact forces: a gap or a force is not a finite number. A "
              "smaller step helps",
@@ -220,7 +221,7 @@ namespace Signorini
             W(i, j) = W(j, i) =
               problem.compliance(working_set[i], working_set[j]);
           W(i, i) += terms.compliance;
-          start[i] = solution.normal_forces[working_set[i]];
+          start[i] = solution.forces.normal[working_set[i]];
         }
       for (unsigned int i = 0; i < m; ++i)
         {
@@ -242,7 +243,7 @@ namespace Signorini
              contacts_at(result.suspects));
       solution.n_iterations += result.n_iterations;
       for (unsigned int i = 0; i < m; ++i)
-        solution.normal_forces[working_set[i]] = result.x[i];
+        solution.forces.normal[working_set[i]] = result.x[i];
     }
 
 
@@ -253,7 +254,7 @@ namespace Signorini
       double error = 0.;
       for (const unsigned int k : working_set)
         error = std::max(error,
-                         solution.normal_forces[k] > 0. ? std::abs(excess[k]) :
+                         solution.forces.normal[k] > 0. ? std::abs(excess[k]) :
                                                           excess[k]);
       return error;
     }

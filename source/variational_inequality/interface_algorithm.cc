@@ -44,12 +44,12 @@ namespace Signorini
 
 
   InterfaceSolution
-  InterfaceAlgorithm::solve(const InterfaceProblem    &problem,
-                            const std::vector<double> &starting_forces) const
+  InterfaceAlgorithm::solve(const InterfaceProblem &problem,
+                            const InterfaceForces  &starting_forces) const
   {
-    Assert(starting_forces.empty() ||
-             starting_forces.size() == problem.n_contacts(),
-           dealii::ExcDimensionMismatch(starting_forces.size(),
+    Assert(starting_forces.normal.empty() ||
+             starting_forces.normal.size() == problem.n_contacts(),
+           dealii::ExcDimensionMismatch(starting_forces.normal.size(),
                                         problem.n_contacts()));
     const std::vector<double> &gaps = problem.free_gaps();
     // False for NaN as well, which the algorithm then refuses.
@@ -59,7 +59,7 @@ namespace Signorini
       {
         InterfaceSolution solution;
         solution.displacement = problem.free_displacement();
-        solution.normal_forces.assign(problem.n_contacts(), 0.);
+        solution.forces       = InterfaceForces(problem.n_contacts());
         return solution;
       }
     return solve_closed(problem, starting_forces);

@@ -39,7 +39,7 @@ namespace Signorini
       Vector<double> contact_force(problem.size());
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         problem.contact(k).normal.add_to(contact_force,
-                                         solution.normal_forces[k]);
+                                         solution.forces.normal[k]);
 
       const Vector<double> &force     = problem.force();
       double                unbalance = 0.;
@@ -51,7 +51,7 @@ namespace Signorini
           raise(unbalance,
                 std::abs(stiffness_force(i) - force(i) + contact_force(i)));
         }
-      for (const double lambda : solution.normal_forces)
+      for (const double lambda : solution.forces.normal)
         raise(residual.negative_force, -lambda);
       residual.stationarity = quotient(unbalance, residual.force_scale);
     }
@@ -71,7 +71,7 @@ namespace Signorini
           raise(residual.length_scale, normal.absolute_dot(free));
           raise(residual.length_scale,
                 normal.absolute_dot(solution.displacement));
-          if (gaps[k] <= 0. || solution.normal_forces[k] != 0.)
+          if (gaps[k] <= 0. || solution.forces.normal[k] != 0.)
             raise(residual.length_scale, std::abs(problem.contact(k).gap));
         }
     }
@@ -97,7 +97,7 @@ namespace Signorini
                const InterfaceSolution &solution)
   {
     AssertDimension(solution.displacement.size(), problem.size());
-    AssertDimension(solution.normal_forces.size(), problem.n_contacts());
+    AssertDimension(solution.forces.normal.size(), problem.n_contacts());
 
     KKTResidual residual;
     measure_stationarity(problem, solution, residual);
@@ -109,9 +109,9 @@ namespace Signorini
     // 3. A force across an open gap. A product of the two would pass a small
     // force across a wide gap.
     for (unsigned int k = 0; k < gaps.size(); ++k)
-      if (solution.normal_forces[k] > 0. && gaps[k] > 0.)
+      if (solution.forces.normal[k] > 0. && gaps[k] > 0.)
         raise(residual.complementarity,
-              std::min(quotient(solution.normal_forces[k],
+              std::min(quotient(solution.forces.normal[k],
                                 residual.force_scale),
                        quotient(gaps[k], residual.length_scale)));
     return residual;

@@ -40,11 +40,11 @@ namespace Signorini
 
 
   InterfaceSolution
-  Penalty::solve_closed(const InterfaceProblem    &problem,
-                        const std::vector<double> &starting_forces) const
+  Penalty::solve_closed(const InterfaceProblem &problem,
+                        const InterfaceForces  &starting_forces) const
   {
     DualTerms terms;
     terms.compliance = 1. / stiffness;
-    return solve_dual(problem, starting_forces, terms);
+    return solve_dual(problem, starting_forces.normal, terms);
   }
 } // namespace Signorini

@@ -20,10 +20,9 @@ namespace Signorini
 
 
   InterfaceSolution
-  QuadraticProgramme::solve_closed(
-    const InterfaceProblem    &problem,
-    const std::vector<double> &starting_forces) const
+  QuadraticProgramme::solve_closed(const InterfaceProblem &problem,
+                                   const InterfaceForces &starting_forces) const
   {
-    return solve_dual(problem, starting_forces);
+    return solve_dual(problem, starting_forces.normal);
   }
 } // namespace Signorini

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(equals_the_quadratic_programme)
   const InterfaceProblem  problem = springs();
   const InterfaceSolution exact   = QuadraticProgramme().solve(problem, {});
   double                  largest_force = 0.;
-  for (const double force : exact.normal_forces)
+  for (const double force : exact.forces.normal)
     largest_force = std::max(largest_force, force);
   BOOST_REQUIRE(largest_force > 0.);
 
@@ -48,9 +48,9 @@ BOOST_AUTO_TEST_CASE(equals_the_quadratic_programme)
           {
             const double left = problem.gap_after(k, found.displacement);
             BOOST_TEST(left >= -tolerance);
-            if (found.normal_forces[k] > 0.)
+            if (found.forces.normal[k] > 0.)
               BOOST_TEST(left <= tolerance);
-            BOOST_TEST(found.normal_forces[k] >= 0.);
+            BOOST_TEST(found.forces.normal[k] >= 0.);
           }
         // (du - du_exact) S (du - du_exact) <= sum of forces times gaps left.
         for (unsigned int i = 0; i < problem.size(); ++i)
@@ -59,12 +59,11 @@ BOOST_AUTO_TEST_CASE(equals_the_quadratic_programme)
         if (tolerance < 1e-12)
           for (unsigned int k = 0; k < n_contacts; ++k)
             BOOST_TEST(
-              std::abs(found.normal_forces[k] - exact.normal_forces[k]) <=
+              std::abs(found.forces.normal[k] - exact.forces.normal[k]) <=
               1e-5 * largest_force);
 
         // From its own forces it is there at once.
-        BOOST_TEST(algorithm.solve(problem, found.normal_forces).n_iterations ==
-                   1);
+        BOOST_TEST(algorithm.solve(problem, found.forces).n_iterations == 1);
       }
 }
 
@@ -83,7 +82,7 @@ BOOST_AUTO_TEST_CASE(one_node_by_hand)
   const InterfaceSolution solution =
     AugmentedLagrangian(3., 1.01 / 64., 100).solve(problem, {});
   BOOST_TEST(solution.n_iterations == 6);
-  BOOST_TEST(std::abs(solution.normal_forces[0] - 3. * (1. - 1. / 64.)) <=
+  BOOST_TEST(std::abs(solution.forces.normal[0] - 3. * (1. - 1. / 64.)) <=
              1e-14);
   BOOST_TEST(std::abs(problem.gap_after(0, solution.displacement) + 1. / 64.) <=
              1e-14);

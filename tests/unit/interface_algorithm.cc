@@ -81,9 +81,10 @@ BOOST_AUTO_TEST_CASE(open_contacts_need_no_algorithm)
     {
       parameters.algorithm = name;
       const InterfaceSolution solution =
-        make_interface_algorithm(parameters)->solve(problem, {1., 0., 2., 0.});
+        make_interface_algorithm(parameters)
+          ->solve(problem, InterfaceForces({1., 0., 2., 0.}));
       BOOST_TEST(solution.n_iterations == 0);
-      BOOST_TEST((solution.normal_forces == std::vector<double>(4, 0.)));
+      BOOST_TEST((solution.forces.normal == std::vector<double>(4, 0.)));
       BOOST_TEST((solution.displacement == problem.free_displacement()));
     }
 }

@@ -39,7 +39,7 @@ namespace
     result.solution.displacement.reinit(2);
     result.solution.displacement(0) = -a;
     result.solution.displacement(1) = -a;
-    result.solution.normal_forces   = {8. * k * a, 0.};
+    result.solution.forces.normal   = {8. * k * a, 0.};
     return result;
   }
 } // namespace
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(each_violation_is_noticed)
                      boost::test_tools::tolerance(1e-12));
         };
         // A force too large.
-        check([&](Example &e) { e.solution.normal_forces[0] += 1.1 * k * a; },
+        check([&](Example &e) { e.solution.forces.normal[0] += 1.1 * k * a; },
               0.1,
               &KKTResidual::stationarity,
               0.1);
@@ -100,12 +100,12 @@ BOOST_AUTO_TEST_CASE(each_violation_is_noticed)
               &KKTResidual::complementarity,
               0.3);
         // A small force across a wide gap: 1.1e-2 k a in 4 a.
-        check([&](Example &e) { e.solution.normal_forces[1] = 1.1e-2 * k * a; },
+        check([&](Example &e) { e.solution.forces.normal[1] = 1.1e-2 * k * a; },
               1e-3,
               &KKTResidual::complementarity,
               1e-3);
         // A force that pulls.
-        check([&](Example &e) { e.solution.normal_forces[1] = -2.2 * k * a; },
+        check([&](Example &e) { e.solution.forces.normal[1] = -2.2 * k * a; },
               0.2,
               &KKTResidual::negative_force,
               2.2 * k * a);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(zero_problems)
   const InterfaceProblem at_rest = InterfaceReference::make_problem(data);
   InterfaceSolution      nothing;
   nothing.displacement.reinit(2);
-  nothing.normal_forces = {0.};
+  nothing.forces.normal = {0.};
   BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() == 0.);
 
   // 2. Penetrated from the start, and left so.
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(zero_problems)
 
   // 3. No contacts.
   data.contacts.clear();
-  nothing.normal_forces.clear();
+  nothing.forces.normal.clear();
   BOOST_TEST(
     Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
       .norm() == 0.);
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(not_a_number)
       if (place == 0)
         broken.solution.displacement(1) = nan;
       else if (place == 1)
-        broken.solution.normal_forces[1] = nan;
+        broken.solution.forces.normal[1] = nan;
       else if (place == 2)
         broken.problem.set_gap(1, nan);
       else

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(equals_contact_elements)
       const InterfaceProblem  problem = InterfaceReference::make_problem(data);
       const InterfaceSolution found   = Penalty(stiffness).solve(problem, {});
       const Vector<double>    expected =
-        displacement_by_contact_elements(data, stiffness, found.normal_forces);
+        displacement_by_contact_elements(data, stiffness, found.forces.normal);
       const double   scale = 1. + problem.free_displacement().linfty_norm();
       Vector<double> difference = found.displacement;
       difference -= expected;
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(equals_contact_elements)
           const double penetration =
             std::max(0., -problem.gap_after(k, expected));
           BOOST_TEST(
-            std::abs(found.normal_forces[k] - stiffness * penetration) <=
+            std::abs(found.forces.normal[k] - stiffness * penetration) <=
             1e-10 * scale * stiffness);
           closed = closed || penetration > 0.;
         }
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(penetration_falls_with_the_stiffness)
     {
       const InterfaceSolution solution = Penalty(K).solve(problem, {});
       const double            force    = K / (1. + K / 3.);
-      BOOST_TEST(std::abs(solution.normal_forces[0] - force) <= 1e-14 * force);
+      BOOST_TEST(std::abs(solution.forces.normal[0] - force) <= 1e-14 * force);
       BOOST_TEST(std::abs(solution.displacement(0) + (6. - force) / 3.) <=
                  1e-14);
     }

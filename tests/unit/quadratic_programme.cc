@@ -32,8 +32,8 @@ namespace
   unsigned int
   n_closed(const InterfaceSolution &solution)
   {
-    return std::count_if(solution.normal_forces.begin(),
-                         solution.normal_forces.end(),
+    return std::count_if(solution.forces.normal.begin(),
+                         solution.forces.normal.end(),
                          [](const double force) { return force > 0.; });
   }
 } // namespace
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(equals_brute_force)
             ++n_infeasible;
             try
               {
-                algorithm.solve(problem, start);
+                algorithm.solve(problem, InterfaceForces(start));
                 BOOST_ERROR("a contradiction was accepted");
               }
             catch (const InterfaceError &error)
@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(equals_brute_force)
               }
             continue;
           }
-        const InterfaceSolution found = algorithm.solve(problem, start);
+        const InterfaceSolution found =
+          algorithm.solve(problem, InterfaceForces(start));
         n_open += n_closed(found) == 0;
         Vector<double> difference = found.displacement;
         difference -= *expected;
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(equals_brute_force)
         worst_residual        = std::max(worst_residual, residual);
         BOOST_TEST(error <= 1e-11);
         BOOST_TEST(residual <= 1e-12);
-        for (const double force : found.normal_forces)
+        for (const double force : found.forces.normal)
           BOOST_TEST(force >= 0.);
       }
     }
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(closed_gaps_vanish_to_rounding)
     {
       const double left = problem.gap_after(k, solution.displacement);
       worst             = std::max(worst, -left);
-      if (solution.normal_forces[k] > 0.)
+      if (solution.forces.normal[k] > 0.)
         worst = std::max(worst, left);
     }
   BOOST_TEST_MESSAGE("closed " << n_closed(solution) << ", iterations "
@@ -139,13 +140,12 @@ BOOST_AUTO_TEST_CASE(closed_gaps_vanish_to_rounding)
 
   // From its own forces: one face, and few responses.
   const InterfaceProblem  fresh = InterfaceReference::make_problem(data);
-  const InterfaceSolution again =
-    algorithm.solve(fresh, solution.normal_forces);
+  const InterfaceSolution again = algorithm.solve(fresh, solution.forces);
   BOOST_TEST(again.n_iterations == 1);
   for (unsigned int k = 0; k < 81; ++k)
     {
-      BOOST_TEST(fresh.knows_response(k) == (solution.normal_forces[k] > 0.));
-      BOOST_TEST(std::abs(again.normal_forces[k] - solution.normal_forces[k]) <=
+      BOOST_TEST(fresh.knows_response(k) == (solution.forces.normal[k] > 0.));
+      BOOST_TEST(std::abs(again.forces.normal[k] - solution.forces.normal[k]) <=
                  1e-9 * kkt_residual(problem, solution).force_scale);
     }
 }
@@ -177,10 +177,10 @@ BOOST_AUTO_TEST_CASE(independent_of_units)
             kkt_residual(problem, solution).force_scale;
           for (unsigned int k = 0; k < 30; ++k)
             {
-              BOOST_TEST((other.normal_forces[k] > 0.) ==
-                         (solution.normal_forces[k] > 0.));
-              BOOST_TEST(std::abs(other.normal_forces[k] / force -
-                                  solution.normal_forces[k]) <=
+              BOOST_TEST((other.forces.normal[k] > 0.) ==
+                         (solution.forces.normal[k] > 0.));
+              BOOST_TEST(std::abs(other.forces.normal[k] / force -
+                                  solution.forces.normal[k]) <=
                          1e-9 * force_scale);
             }
           for (unsigned int i = 0; i < 60; ++i)

@@ -36,8 +36,8 @@ namespace Signorini
   private:
     /** @throws InterfaceError at the maximal number of iterations. */
     InterfaceSolution
-    solve_closed(const InterfaceProblem    &problem,
-                 const std::vector<double> &starting_forces) const override;
+    solve_closed(const InterfaceProblem &problem,
+                 const InterfaceForces  &starting_forces) const override;
 
     // Contacts that penetrate, or are open under a force, beyond the tolerance.
     std::vector<unsigned int>

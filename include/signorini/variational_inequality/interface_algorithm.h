@@ -20,13 +20,13 @@ namespace Signorini
      * Displacements and contact forces. If all contacts stay open without
      * contact forces, that is the answer, whatever the algorithm.
      *
-     * @param starting_forces lambda_k of the last step or iteration, from
-     *   which the search starts, N; or empty.
+     * @param starting_forces of the last step or iteration, from which the
+     *   search starts, N; or empty.
      * @throws InterfaceError if there is no solution or it is not found.
      */
     InterfaceSolution
-    solve(const InterfaceProblem    &problem,
-          const std::vector<double> &starting_forces) const;
+    solve(const InterfaceProblem &problem,
+          const InterfaceForces  &starting_forces) const;
 
     /** The name in the .prm. */
     virtual std::string
@@ -40,8 +40,8 @@ namespace Signorini
   private:
     /** Solves a problem in which at least one contact closes. */
     virtual InterfaceSolution
-    solve_closed(const InterfaceProblem    &problem,
-                 const std::vector<double> &starting_forces) const = 0;
+    solve_closed(const InterfaceProblem &problem,
+                 const InterfaceForces  &starting_forces) const = 0;
   };
 
   /** The names of all algorithms, separated by `|'. */

@@ -7,21 +7,69 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace Signorini
 {
-  /** One candidate contact: the gap after the step is gap - normal . du. */
+  /**
+   * One candidate contact: the gap after the step is gap - normal . du, its
+   * slip over the step slip + tangents . du. A contact whose target is out of
+   * reach has an empty normal row and an infinite gap, and stays open.
+   */
   struct InterfaceContact
   {
     SparseRow normal;   // A_k, 1
     double    gap = 0.; // G_k, m
+
+    // T_k: none without friction, one row in 2-D, two in 3-D; and the slip
+    // s_k along each so far in this step, m.
+    std::vector<SparseRow> tangents = {};
+    std::array<double, 2>  slip     = {{0., 0.}};
+
+    // |tau_k| <= min(mu_k lambda_k, largest friction).
+    double friction_coefficient = 0.;                                      // 1
+    double largest_friction     = std::numeric_limits<double>::infinity(); // N
+
+    bool
+    has_friction() const
+    {
+      return !tangents.empty() && friction_coefficient > 0.;
+    }
+  };
+
+  /** The forces of all contacts of a problem; both lists may be empty. */
+  struct InterfaceForces
+  {
+    InterfaceForces() = default;
+
+    explicit InterfaceForces(const unsigned int n_contacts)
+      : normal(n_contacts, 0.)
+      , tangential(n_contacts, {{0., 0.}})
+    {}
+
+    explicit InterfaceForces(const std::vector<double> &normal_forces)
+      : normal(normal_forces)
+      , tangential(normal_forces.size(), {{0., 0.}})
+    {}
+
+    std::vector<double>                normal;     // lambda_k >= 0, N
+    std::vector<std::array<double, 2>> tangential; // tau_k, along slip, N
   };
 
   /**
    * The contact problem of one iteration, condensed on the interface:
    *
-   *   min 1/2 du^T S du - du^T r   subject to   A du <= G,
+   *   min 1/2 du^T S du - du^T r + sum_k f_k |s_k + T_k du|
+   *   subject to   A du <= G,
+   *
+   * with the friction bound f_k = min(mu_k lambda_k, largest friction) of the
+   * solution itself (Coulomb). With the multipliers of both this is
+   *
+   *   S du - r + A^T lambda + T^T tau = 0,
+   *   lambda >= 0, A du <= G, lambda^T (A du - G) = 0,
+   *   |tau_k| <= f_k, and tau_k = f_k slip_k / |slip_k| unless slip_k = 0.
    *
    * du in m, r in N, S in N/m. In 2-D, forces are per thickness.
    *
@@ -146,8 +194,8 @@ namespace Signorini
   /** What an algorithm finds. */
   struct InterfaceSolution
   {
-    dealii::Vector<double> displacement;  // du, m
-    std::vector<double>    normal_forces; // lambda_k >= 0, N
+    dealii::Vector<double> displacement; // du, m
+    InterfaceForces        forces;
 
     // Faces minimised on, or updates of the multipliers; 0 if all is open.
     unsigned int n_iterations = 0;

@@ -22,8 +22,8 @@ namespace Signorini
 
   private:
     InterfaceSolution
-    solve_closed(const InterfaceProblem    &problem,
-                 const std::vector<double> &starting_forces) const override;
+    solve_closed(const InterfaceProblem &problem,
+                 const InterfaceForces  &starting_forces) const override;
   };
 } // namespace Signorini
 
