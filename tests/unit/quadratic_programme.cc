@@ -105,7 +105,8 @@ BOOST_AUTO_TEST_CASE(all_open_needs_no_iteration)
   for (unsigned int k = 0; k < 20; ++k)
     problem.set_gap(k, 1.);
   const InterfaceSolution solution =
-    QuadraticProgramme().solve(problem, std::vector<double>(20, 3.));
+    QuadraticProgramme().solve(problem,
+                               InterfaceForces(std::vector<double>(20, 3.)));
   BOOST_TEST(solution.n_iterations == 0);
   BOOST_TEST(n_closed(solution) == 0);
   for (unsigned int k = 0; k < 20; ++k)
