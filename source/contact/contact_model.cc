@@ -1,5 +1,7 @@
 #include <signorini/contact/contact_model.h>
+#include <signorini/contact/contact_rows.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -9,21 +11,19 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int not_on_interface = static_cast<unsigned int>(-1);
+    constexpr unsigned int not_on_interface = numbers::invalid_unsigned_int;
 
-    // Takes out the nodes that cannot follow a contact force, and returns those
-    // of them that are held; hanging ones are where their neighbours are. Faces
-    // that lose a node are lost for pictures only.
+    // Splits the nodes of the surface into candidates and nodes that cannot
+    // follow a contact force; of those, hanging ones are where their
+    // neighbours are. Faces that lose a node are lost for pictures only.
     template <int dim>
-    std::vector<Node<dim>>
-    remove_fixed_nodes(ContactorSurface<dim>   &surface,
-                       const std::vector<bool> &is_fixed,
-                       const std::vector<bool> &is_hanging)
+    void
+    choose_candidates(const std::vector<bool>         &is_fixed,
+                      const AffineConstraints<double> &hanging_nodes,
+                      ContactPair<dim>                &pair)
     {
-      ContactorSurface<dim>     kept;
-      std::vector<Node<dim>>    held;
-      std::vector<unsigned int> new_index(surface.nodes.size(),
-                                          not_on_interface);
+      const ContactorSurface<dim> &surface = pair.surface;
+      pair.candidate_of_node.assign(surface.nodes.size(), not_on_interface);
       for (unsigned int n = 0; n < surface.nodes.size(); ++n)
         {
           const auto &dofs = surface.nodes[n].dofs;
@@ -31,73 +31,102 @@ namespace Signorini
                 return is_fixed[i];
               }))
             {
-              if (!is_hanging[dofs[0]])
-                held.push_back(surface.nodes[n]);
+              if (!hanging_nodes.is_constrained(dofs[0]))
+                pair.held_nodes.push_back(surface.nodes[n]);
               continue;
             }
-          new_index[n] = kept.nodes.size();
-          kept.nodes.push_back(surface.nodes[n]);
-          kept.areas.push_back(surface.areas[n]);
+          pair.candidate_of_node[n] = pair.contactor.nodes.size();
+          pair.node_of_candidate.push_back(n);
+          pair.contactor.nodes.push_back(surface.nodes[n]);
+          pair.contactor.areas.push_back(surface.areas[n]);
         }
       for (auto face : surface.faces)
         {
           for (auto &node : face)
-            node = new_index[node];
+            node = pair.candidate_of_node[node];
           if (std::count(face.begin(), face.end(), not_on_interface) == 0)
-            kept.faces.push_back(face);
+            pair.contactor.faces.push_back(face);
         }
-      surface = std::move(kept);
-      return held;
-    }
-
-    template <int dim>
-    Point<dim>
-    position_of(const Node<dim> &node, const Vector<double> &displacement)
-    {
-      Point<dim> position = node.point;
-      for (unsigned int c = 0; c < dim; ++c)
-        position[c] += displacement[node.dofs[c]];
-      return position;
     }
   } // namespace
 
 
 
   template <int dim>
-  ContactModel<dim>::ContactModel(const std::vector<PairNames> &pairs,
-                                  const std::vector<bool>      &is_fixed,
-                                  const std::vector<bool>      &is_hanging)
-    : interface_index_(is_fixed.size(), not_on_interface)
+  ContactModel<dim>::ContactModel(std::vector<PairDescription>     pairs,
+                                  const std::vector<bool>         &is_fixed,
+                                  const AffineConstraints<double> &constraints)
+    : hanging_nodes_(constraints)
+    , interface_index_(is_fixed.size(), not_on_interface)
   {
     std::map<std::string, unsigned int> n_pairs_of_target;
     for (const auto &pair : pairs)
       ++n_pairs_of_target[pair.target->name()];
-
-    for (const auto &[body, boundary, target] : pairs)
+    for (auto &description : pairs)
       {
-        ContactPair<dim> pair;
-        pair.body          = body;
-        pair.target        = target;
-        pair.contactor     = contactor_surface(*body, boundary);
-        pair.name          = n_pairs_of_target[target->name()] == 1 ?
-                               target->name() :
-                               body->name() + "." + boundary + "." + target->name();
-        pair.first_contact = n_contacts_;
-        pair.held_nodes =
-          remove_fixed_nodes(pair.contactor, is_fixed, is_hanging);
-        n_contacts_ += pair.contactor.nodes.size();
-        pairs_.push_back(std::move(pair));
+        const std::string target = description.target->name();
+        const std::string name   = n_pairs_of_target[target] == 1 ?
+                                     target :
+                                     description.body->name() + "." +
+                                     description.boundary + "." + target;
+        add_pair(std::move(description), is_fixed);
+        pairs_.back().name = name;
       }
+    number_interface(is_fixed);
+  }
 
-    for_each_candidate(
-      [&](const unsigned int, const Node<dim> &node, const auto &) {
-        for (const unsigned int dof : node.dofs)
-          if (!is_fixed[dof] && interface_index_[dof] == not_on_interface)
-            {
-              interface_index_[dof] = interface_dofs_.size();
-              interface_dofs_.push_back(dof);
-            }
-      });
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::add_pair(PairDescription        &&description,
+                              const std::vector<bool> &is_fixed)
+  {
+    ContactPair<dim> pair;
+    pair.body       = description.body;
+    pair.target     = std::move(description.target);
+    pair.friction   = description.friction;
+    pair.constraint = description.constraint;
+    pair.surface    = contactor_surface(*pair.body, description.boundary);
+    choose_candidates(is_fixed, hanging_nodes_, pair);
+    pair.first_contact = n_contacts_;
+    n_contacts_ += pair.contactor.nodes.size();
+    pairs_.push_back(std::move(pair));
+  }
+
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::number_interface(const std::vector<bool> &is_fixed)
+  {
+    const auto number = [&](const unsigned int unknown) {
+      if (!is_fixed[unknown] && interface_index_[unknown] == not_on_interface)
+        {
+          interface_index_[unknown] = interface_dofs_.size();
+          interface_dofs_.push_back(unknown);
+        }
+    };
+    const auto number_resolved = [&](const unsigned int unknown) {
+      if (!hanging_nodes_.is_constrained(unknown))
+        number(unknown);
+      else
+        for (const auto &[master, factor] :
+             *hanging_nodes_.get_constraint_entries(unknown))
+          number(master);
+    };
+    for (const auto &pair : pairs_)
+      {
+        for (const auto &node : pair.contactor.nodes)
+          for (const unsigned int dof : node.dofs)
+            number(dof);
+        if (pair.constraint == ContactConstraint::mortar)
+          for (const auto &node : pair.surface.nodes)
+            for (const unsigned int dof : node.dofs)
+              number_resolved(dof);
+        for (const unsigned int unknown : pair.target->unknowns())
+          number_resolved(unknown);
+      }
   }
 
 
@@ -127,18 +156,41 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<SurfacePoint<dim>>
-  ContactModel<dim>::evaluate(const Vector<double> &displacement,
-                              const double          time) const
+  bool
+  ContactModel<dim>::is_frictionless() const
   {
-    std::vector<SurfacePoint<dim>> points;
+    return std::all_of(pairs_.begin(), pairs_.end(), [](const auto &pair) {
+      return pair.friction.is_frictionless();
+    });
+  }
+
+
+
+  template <int dim>
+  const ContactPair<dim> &
+  ContactModel<dim>::pair_of(const unsigned int candidate) const
+  {
+    AssertIndexRange(candidate, n_contacts_);
+    unsigned int p = pairs_.size() - 1;
+    while (pairs_[p].first_contact > candidate)
+      --p;
+    return pairs_[p];
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPoint<dim>>
+  ContactModel<dim>::evaluate(const Configuration &now,
+                              const Configuration &before) const
+  {
+    std::vector<ContactPoint<dim>> points;
     points.reserve(n_contacts_);
     for (const auto &pair : pairs_)
       {
-        const Tensor<1, dim> translation = pair.target->translation(time);
-        for (const auto &node : pair.contactor.nodes)
-          points.push_back(
-            pair.target->closest(position_of(node, displacement), translation));
+        const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
+        auto                  of_pair = node_to_surface_points(placed);
+        std::move(of_pair.begin(), of_pair.end(), std::back_inserter(points));
       }
     return points;
   }
@@ -147,27 +199,32 @@ namespace Signorini
 
   template <int dim>
   std::string
-  ContactModel<dim>::held_penetration(const Vector<double> &displacement,
-                                      const double          time) const
+  ContactModel<dim>::held_penetration(const Configuration &configuration) const
   {
     for (const auto &pair : pairs_)
       {
-        const Tensor<1, dim> translation = pair.target->translation(time);
+        if (pair.held_nodes.empty())
+          continue;
+        const auto placed = pair.target->place(configuration, configuration);
         for (const auto &node : pair.held_nodes)
           {
-            const Point<dim> position = position_of(node, displacement);
-            const double gap = pair.target->closest(position, translation).gap;
+            const ContactorPoint<dim> point = {
+              node_positions<dim>({node}, configuration.displacement)[0],
+              {},
+              {},
+              node.dofs[0]};
+            const auto   target = placed->closest(point);
             const double rounding =
               1e-10 *
               std::max(node.point.norm(),
                        node.point.distance(pair.body->nodes()[0].point));
-            if (gap >= -rounding)
+            if (!target || target->gap >= -rounding)
               continue;
             std::ostringstream message;
-            message << "at t = " << time << " s the node of body "
+            message << "at t = " << configuration.time << " s the node of body "
                     << pair.body->name() << " at (" << node.point
-                    << "), which is held by Supports, lies " << -gap
-                    << " m inside of the rigid body \"" << pair.target->name()
+                    << "), which is held by Supports, lies " << -target->gap
+                    << " m inside of \"" << pair.target->name()
                     << "\" and cannot make room. Change the motion of one of "
                        "them, or leave a component of the node free.";
             return message.str();
@@ -200,21 +257,44 @@ namespace Signorini
 
 
   template <int dim>
+  SparseRow
+  ContactModel<dim>::on_interface(const SparseRow &row,
+                                  const double     factor) const
+  {
+    SparseRow result;
+    for (const auto &[unknown, coefficient] : row)
+      if (interface_index_[unknown] != not_on_interface && coefficient != 0.)
+        result.add(interface_index_[unknown], factor * coefficient);
+    return result;
+  }
+
+
+
+  template <int dim>
   std::vector<InterfaceContact>
-  ContactModel<dim>::constraints(
-    const std::vector<SurfacePoint<dim>> &points) const
+  ContactModel<dim>::constraints(const std::vector<ContactPoint<dim>> &points,
+                                 const std::vector<double> &coefficients) const
   {
     std::vector<InterfaceContact> contacts(n_contacts_);
-    for_each_candidate(
-      [&](const unsigned int k, const Node<dim> &node, const auto &) {
-        contacts[k].gap = points[k].gap;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const unsigned int index = interface_index_[node.dofs[c]];
-            if (index != not_on_interface && points[k].normal[c] != 0.)
-              contacts[k].normal.add(index, -points[k].normal[c]);
-          }
-      });
+    for (const auto &pair : pairs_)
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int       k       = pair.first_contact + n;
+          const ContactPoint<dim> &point   = points[k];
+          InterfaceContact        &contact = contacts[k];
+          contact.gap                      = point.gap;
+          contact.normal = on_interface(point.gap_gradient, -1.);
+          if (pair.friction.is_frictionless() || !point.is_in_reach())
+            continue;
+          for (unsigned int j = 0; j < dim - 1; ++j)
+            contact.tangents.push_back(
+              on_interface(point.slip_gradients[j], 1.));
+          contact.slip                 = point.slip;
+          contact.friction_coefficient = coefficients[k];
+          if (std::isfinite(pair.friction.largest_shear_stress()))
+            contact.largest_friction =
+              pair.friction.largest_shear_stress() * pair.contactor.areas[n];
+        }
     return contacts;
   }
 
@@ -223,19 +303,22 @@ namespace Signorini
   template <int dim>
   void
   ContactModel<dim>::add_contact_forces(
-    const std::vector<SurfacePoint<dim>> &points,
-    const std::vector<double>            &normal_forces,
+    const std::vector<ContactPoint<dim>> &points,
+    const InterfaceForces                &contact_forces,
     const double                          factor,
     Vector<double>                       &forces) const
   {
-    AssertDimension(normal_forces.size(), n_contacts_);
-    for_each_candidate(
-      [&](const unsigned int k, const Node<dim> &node, const auto &) {
-        if (normal_forces[k] != 0.)
-          for (unsigned int c = 0; c < dim; ++c)
-            forces[node.dofs[c]] +=
-              factor * normal_forces[k] * points[k].normal[c];
-      });
+    AssertDimension(contact_forces.normal.size(), n_contacts_);
+    for (unsigned int k = 0; k < n_contacts_; ++k)
+      {
+        if (contact_forces.normal[k] != 0.)
+          points[k].gap_gradient.add_to(forces,
+                                        factor * contact_forces.normal[k]);
+        for (unsigned int j = 0; j < dim - 1; ++j)
+          if (contact_forces.tangential[k][j] != 0.)
+            points[k].slip_gradients[j].add_to(
+              forces, -factor * contact_forces.tangential[k][j]);
+      }
   }
 
 
@@ -243,23 +326,24 @@ namespace Signorini
   template <int dim>
   void
   ContactModel<dim>::add_geometric_stiffness(
-    const std::vector<SurfacePoint<dim>> &points,
+    const std::vector<ContactPoint<dim>> &points,
     const std::vector<double>            &normal_forces,
     FullMatrix<double>                   &stiffness) const
   {
-    for_each_candidate(
-      [&](const unsigned int k, const Node<dim> &node, const auto &) {
+    for (unsigned int k = 0; k < n_contacts_; ++k)
+      {
         if (normal_forces[k] == 0.)
-          return;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const unsigned int i = interface_index_[node.dofs[c]];
-              const unsigned int j = interface_index_[node.dofs[d]];
-              if (i != not_on_interface && j != not_on_interface)
-                stiffness(i, j) -= normal_forces[k] * points[k].curvature[c][d];
-            }
-      });
+          continue;
+        for (const auto &[unknowns, matrix] : points[k].curvatures)
+          for (unsigned int i = 0; i < unknowns.size(); ++i)
+            for (unsigned int j = 0; j < unknowns.size(); ++j)
+              {
+                const unsigned int row    = interface_index_[unknowns[i]];
+                const unsigned int column = interface_index_[unknowns[j]];
+                if (row != not_on_interface && column != not_on_interface)
+                  stiffness(row, column) -= normal_forces[k] * matrix(i, j);
+              }
+      }
   }
 
 

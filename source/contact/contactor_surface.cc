@@ -35,6 +35,52 @@ namespace Signorini
       return result;
     }
 
+    // Mirrors the order of the nodes in the first direction.
+    template <int dim>
+    std::vector<unsigned int>
+    mirrored(const std::vector<unsigned int> &nodes, const unsigned int degree)
+    {
+      std::vector<unsigned int> result(nodes);
+      const unsigned int        row = degree + 1;
+      for (unsigned int begin = 0; begin < nodes.size(); begin += row)
+        std::reverse(result.begin() + begin, result.begin() + begin + row);
+      return result;
+    }
+
+    // Twice the area (3-D) or the length (2-D) of a piece, times its normal.
+    template <int dim>
+    Tensor<1, dim>
+    size_normal(const std::vector<unsigned int> &piece,
+                const std::vector<Point<dim>>   &positions)
+    {
+      if constexpr (dim == 2)
+        {
+          const Tensor<1, dim> edge = positions[piece[1]] - positions[piece[0]];
+          Tensor<1, dim>       normal;
+          normal[0] = edge[1];
+          normal[1] = -edge[0];
+          return normal;
+        }
+      else
+        // Half the cross product of the diagonals is the area vector.
+        return cross_product_3d(positions[piece[3]] - positions[piece[0]],
+                                positions[piece[2]] - positions[piece[1]]);
+    }
+
+    // The corner nodes of a face, as a linear piece has them.
+    template <int dim>
+    std::vector<unsigned int>
+    corners(const std::vector<unsigned int> &nodes, const unsigned int degree)
+    {
+      if (dim == 2)
+        return {nodes[0], nodes[degree]};
+      const unsigned int last_row = degree * (degree + 1);
+      return {nodes[0],
+              nodes[degree],
+              nodes[last_row],
+              nodes[last_row + degree]};
+    }
+
     // Cuts a face of degree p with (p+1)^(dim-1) nodes into linear pieces.
     template <int dim>
     void
@@ -68,6 +114,10 @@ namespace Signorini
     ContactorSurface<dim> surface;
     surface.nodes = body.boundary_nodes(boundary);
     surface.areas.resize(surface.nodes.size());
+    surface.degree = body.scalar_fe().degree;
+    std::vector<Point<dim>> points;
+    for (const auto &node : surface.nodes)
+      points.push_back(node.point);
     std::map<unsigned int, unsigned int> node_of_dof;
     for (unsigned int n = 0; n < surface.nodes.size(); ++n)
       node_of_dof[surface.nodes[n].dofs[0]] = n;
@@ -79,7 +129,7 @@ namespace Signorini
                              fe,
                              quadrature,
                              update_values | update_quadrature_points |
-                               update_JxW_values);
+                               update_normal_vectors | update_JxW_values);
     const auto            numbering =
       FETools::hierarchic_to_lexicographic_numbering<dim - 1>(fe.degree);
     for (const auto &cell : body.dof_handler().active_cell_iterators())
@@ -89,10 +139,18 @@ namespace Signorini
               cell->face(face)->boundary_id() != id)
             continue;
           const auto nodes = face_nodes(body, cell, face, node_of_dof);
-          add_linear_pieces<dim>(nodes, fe.degree, surface.faces);
           values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(
                           cell),
                         face);
+          const bool is_outward =
+            size_normal<dim>(corners<dim>(nodes, fe.degree), points) *
+              values.normal_vector(0) >
+            0.;
+          surface.elements.push_back(
+            is_outward ? nodes : mirrored<dim>(nodes, fe.degree));
+          add_linear_pieces<dim>(surface.elements.back(),
+                                 fe.degree,
+                                 surface.faces);
           for (const unsigned int q : values.quadrature_point_indices())
             for (unsigned int i = 0; i < nodes.size(); ++i)
               surface.areas[nodes[numbering[i]]] +=
@@ -121,10 +179,54 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<Point<dim>>
+  node_positions(const std::vector<Node<dim>> &nodes,
+                 const Vector<double>         &displacement)
+  {
+    std::vector<Point<dim>> positions;
+    positions.reserve(nodes.size());
+    for (const auto &node : nodes)
+      {
+        Point<dim> position = node.point;
+        for (unsigned int c = 0; c < dim; ++c)
+          position[c] += displacement[node.dofs[c]];
+        positions.push_back(position);
+      }
+    return positions;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  node_normals(const ContactorSurface<dim>   &surface,
+               const std::vector<Point<dim>> &positions)
+  {
+    std::vector<Tensor<1, dim>> normals(surface.nodes.size());
+    for (const auto &piece : surface.faces)
+      for (const unsigned int node : piece)
+        normals[node] += size_normal<dim>(piece, positions);
+    for (auto &normal : normals)
+      if (normal.norm() > 0.)
+        normal /= normal.norm();
+    return normals;
+  }
+
+
+
   template struct ContactorSurface<2>;
   template struct ContactorSurface<3>;
   template ContactorSurface<2>
   contactor_surface(const Body<2> &, const std::string &);
   template ContactorSurface<3>
   contactor_surface(const Body<3> &, const std::string &);
+  template std::vector<Point<2>>
+  node_positions(const std::vector<Node<2>> &, const Vector<double> &);
+  template std::vector<Point<3>>
+  node_positions(const std::vector<Node<3>> &, const Vector<double> &);
+  template std::vector<Tensor<1, 2>>
+  node_normals(const ContactorSurface<2> &, const std::vector<Point<2>> &);
+  template std::vector<Tensor<1, 3>>
+  node_normals(const ContactorSurface<3> &, const std::vector<Point<3>> &);
 } // namespace Signorini

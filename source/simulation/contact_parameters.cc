@@ -1,3 +1,4 @@
+#include <signorini/contact/rigid_target.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
 #include <signorini/nearest_name.h>
@@ -14,10 +15,11 @@ namespace Signorini
   namespace
   {
     template <int dim>
-    typename ContactModel<dim>::PairNames
+    typename ContactModel<dim>::PairDescription
     parse_pair(const std::string                                  &text,
                const SolidModel<dim>                              &solid,
-               const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies)
+               const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
+               const FrictionLaw                                  &friction)
     {
       const std::string entry = "Contact / Pairs";
       const std::size_t on    = text.find(" on ");
@@ -50,7 +52,10 @@ namespace Signorini
       for (const auto &rigid_body : rigid_bodies)
         {
           if (rigid_body->name() == target)
-            return {&body, boundary, rigid_body.get()};
+            return {&body,
+                    boundary,
+                    std::make_unique<RigidTarget<dim>>(*rigid_body),
+                    friction};
           names.push_back(rigid_body->name());
         }
       throw InputError(entry + ": there is no rigid body \"" + target + "\"." +
@@ -70,6 +75,7 @@ namespace Signorini
                       Patterns::Anything(),
                       "What may touch: `BODY.BOUNDARY on RIGID BODY', "
                       "separated by commas.");
+    FrictionLaw::declare_parameters(prm);
     AlgorithmParameters::declare_parameters(prm);
     prm.declare_entry("Relative penalty stiffness",
                       "0",
@@ -89,14 +95,15 @@ namespace Signorini
 
 
   ContactParameters
-  ContactParameters::parse(ParameterHandler &prm)
+  ContactParameters::parse(const Constants &constants, ParameterHandler &prm)
   {
     prm.enter_subsection("Contact");
-    const ContactParameters parameters = {split_list(prm.get("Pairs"), ','),
-                                          AlgorithmParameters::parse(prm),
-                                          prm.get_double(
-                                            "Relative penalty stiffness"),
-                                          prm.get_double("Force tolerance")};
+    const ContactParameters parameters = {
+      split_list(prm.get("Pairs"), ','),
+      AlgorithmParameters::parse(prm),
+      prm.get_double("Relative penalty stiffness"),
+      prm.get_double("Force tolerance"),
+      FrictionLaw::parse(constants, "Contact", prm)};
     prm.leave_subsection();
     return parameters;
   }
@@ -110,12 +117,13 @@ namespace Signorini
     const SolidModel<dim>                              &solid,
     const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies)
   {
-    std::vector<typename ContactModel<dim>::PairNames> pairs;
+    std::vector<typename ContactModel<dim>::PairDescription> pairs;
     for (const auto &pair : parameters.pairs)
-      pairs.push_back(parse_pair(pair, solid, rigid_bodies));
-    return std::make_unique<ContactModel<dim>>(pairs,
+      pairs.push_back(
+        parse_pair(pair, solid, rigid_bodies, parameters.friction));
+    return std::make_unique<ContactModel<dim>>(std::move(pairs),
                                                solid.is_fixed(),
-                                               solid.is_hanging());
+                                               solid.constraints());
   }
 
 
@@ -125,7 +133,7 @@ namespace Signorini
   refuse_overclosure(const ContactModel<dim> &contact,
                      const Vector<double>    &displacement)
   {
-    const auto points = contact.evaluate(displacement, 0.);
+    const auto points = contact.evaluate({displacement, 0.});
     for (const auto &pair : contact.pairs())
       {
         double     smallest = 0., extent = 0.;
@@ -147,13 +155,12 @@ namespace Signorini
         std::ostringstream message;
         message << "Contact / Pairs: at t = 0 the node of body "
                 << pair.body->name() << " at (" << place << ") lies "
-                << -smallest << " m inside of the rigid body \""
-                << pair.target->name()
+                << -smallest << " m inside of \"" << pair.target->name()
                 << "\". Move one of them apart, or turn the normal (plane) "
                    "or the Side (circle, sphere, cylinder) round.";
         throw InputError(message.str());
       }
-    const std::string held = contact.held_penetration(displacement, 0.);
+    const std::string held = contact.held_penetration({displacement, 0.});
     if (!held.empty())
       throw InputError("Contact / Pairs: " + held);
   }

@@ -1,3 +1,4 @@
+#include <signorini/input_error.h>
 #include <signorini/linear_algebra/cholesky_condensation.h>
 #include <signorini/simulation/effective_system.h>
 #include <signorini/variational_inequality/kkt_residual.h>
@@ -45,6 +46,8 @@ namespace Signorini
       matrix_.add(factors.mass, solid_.mass());
     if (factors.damping != 0.)
       matrix_.add(factors.damping, solid_.damping());
+    for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
+      matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
     solver_->factorise(matrix_);
     problem_.set_stiffness(solver_->interface_stiffness());
     stiffness_     = solver_->interface_stiffness();
@@ -57,8 +60,9 @@ namespace Signorini
   template <int dim>
   typename EffectiveSystem<dim>::Correction
   EffectiveSystem<dim>::correct(const Vector<double>                 &residual,
-                                const std::vector<SurfacePoint<dim>> &points,
-                                const std::vector<double> &multipliers)
+                                const std::vector<ContactPoint<dim>> &points,
+                                const InterfaceForces     &multipliers,
+                                const std::vector<double> &coefficients)
   {
     Vector<double> reduced_force;
     {
@@ -69,8 +73,8 @@ namespace Signorini
     InterfaceSolution solution;
     {
       const auto timing = timings_.measure(section_interface_);
-      pose_interface_problem(points, multipliers, reduced_force);
-      solution = algorithm_->solve(problem_, InterfaceForces(multipliers));
+      pose_interface_problem(points, multipliers, coefficients, reduced_force);
+      solution = algorithm_->solve(problem_, multipliers);
 
       // The conditions of optimality are not those that a penalty obeys.
       correction.kkt_residual = algorithm_->enforces_exactly() ?
@@ -81,7 +85,7 @@ namespace Signorini
     correction.motion.reinit(residual.size());
     solver_->expand(solution.displacement, correction.motion);
     solid_.constraints().distribute(correction.motion);
-    correction.multipliers = std::move(solution.forces.normal);
+    correction.multipliers = std::move(solution.forces);
     return correction;
   }
 
@@ -90,21 +94,42 @@ namespace Signorini
   template <int dim>
   void
   EffectiveSystem<dim>::pose_interface_problem(
-    const std::vector<SurfacePoint<dim>> &points,
-    const std::vector<double>            &multipliers,
+    const std::vector<ContactPoint<dim>> &points,
+    const InterfaceForces                &multipliers,
+    const std::vector<double>            &coefficients,
     Vector<double>                       &reduced_force)
   {
-    problem_.set_contacts(contact_.constraints(points));
+    problem_.set_contacts(contact_.constraints(points, coefficients));
     if (contact_.is_flat())
       {
         problem_.set_reduced_force(reduced_force);
         return;
       }
-    FullMatrix<double> stiffness = stiffness_.matrix();
-    contact_.add_geometric_stiffness(points, multipliers, stiffness);
-    problem_.set_stiffness(InterfaceStiffness::from_matrix(stiffness));
+    problem_.set_stiffness(
+      stiffness_with_curvature(points, multipliers.normal));
     stiffness_.multiply_factor(reduced_force);
     problem_.set_force(reduced_force);
+  }
+
+
+
+  template <int dim>
+  InterfaceStiffness
+  EffectiveSystem<dim>::stiffness_with_curvature(
+    const std::vector<ContactPoint<dim>> &points,
+    const std::vector<double>            &normal_forces) const
+  {
+    const FullMatrix<double> plain     = stiffness_.matrix();
+    FullMatrix<double>       stiffness = plain;
+    contact_.add_geometric_stiffness(points, normal_forces, stiffness);
+    try
+      {
+        return InterfaceStiffness::from_matrix(stiffness);
+      }
+    catch (const ComputationError &)
+      {
+        return InterfaceStiffness::from_matrix(plain);
+      }
   }
 
 

@@ -13,12 +13,16 @@ namespace Signorini
       return !solid.mass().empty();
     }
 
-    std::vector<double>
-    sum(const std::vector<double> &a, const std::vector<double> &b)
+    InterfaceForces
+    sum(const InterfaceForces &a, const InterfaceForces &b)
     {
-      std::vector<double> result(a);
-      for (unsigned int k = 0; k < b.size(); ++k)
-        result[k] += b[k];
+      InterfaceForces result(a);
+      for (unsigned int k = 0; k < b.normal.size(); ++k)
+        {
+          result.normal[k] += b.normal[k];
+          for (unsigned int j = 0; j < 2; ++j)
+            result.tangential[k][j] += b.tangential[k][j];
+        }
       return result;
     }
 
@@ -28,8 +32,25 @@ namespace Signorini
     {
       double work = 0.;
       for (unsigned int k = 0; k < state.gaps.size(); ++k)
-        work += 0.5 * (old_state.normal_forces[k] + state.normal_forces[k]) *
-                (state.gaps[k] - old_state.gaps[k]);
+        {
+          const double force =
+            old_state.contact_forces.normal[k] + state.contact_forces.normal[k];
+          // A gap out of reach is infinite.
+          if (force != 0. && std::isfinite(state.gaps[k] - old_state.gaps[k]))
+            work += 0.5 * force * (state.gaps[k] - old_state.gaps[k]);
+        }
+      return work;
+    }
+
+    template <int dim>
+    double
+    friction_work(const std::vector<ContactPoint<dim>> &points,
+                  const InterfaceForces                &mean_forces)
+    {
+      double work = 0.;
+      for (unsigned int k = 0; k < points.size(); ++k)
+        for (unsigned int j = 0; j < dim - 1; ++j)
+          work += mean_forces.tangential[k][j] * points[k].slip[j];
       return work;
     }
   } // namespace
@@ -52,7 +73,7 @@ namespace Signorini
   void
   measure_support_forces(const SolidModel<dim>                &solid,
                          const ContactModel<dim>              &contact,
-                         const std::vector<SurfacePoint<dim>> &points,
+                         const std::vector<ContactPoint<dim>> &points,
                          State                                &state)
   {
     if (solid.supports_are_fixed())
@@ -70,7 +91,7 @@ namespace Signorini
         solid.damping().vmult(product, state.velocity);
         force += product;
       }
-    contact.add_contact_forces(points, state.normal_forces, -1., force);
+    contact.add_contact_forces(points, state.contact_forces, -1., force);
     for (unsigned int i = 0; i < force.size(); ++i)
       state.support_force[i] = solid.is_fixed()[i] ? force[i] : 0.;
   }
@@ -82,7 +103,7 @@ namespace Signorini
   measure_work(const SolidModel<dim>                &solid,
                const ContactModel<dim>              &contact,
                const State                          &old_state,
-               const std::vector<SurfacePoint<dim>> &points,
+               const std::vector<ContactPoint<dim>> &points,
                State                                &state)
   {
     Vector<double> motion(state.displacement);
@@ -94,10 +115,13 @@ namespace Signorini
       energy.supports +=
         0.5 * (motion * old_state.support_force + motion * state.support_force);
 
+    const InterfaceForces twice_mean =
+      sum(old_state.contact_forces, state.contact_forces);
     Vector<double> force(motion.size());
-    contact.add_contact_forces(
-      points, sum(old_state.normal_forces, state.normal_forces), 0.5, force);
-    energy.contact += motion * force;
+    contact.add_contact_forces(points, twice_mean, 0.5, force);
+    const double friction = 0.5 * friction_work(points, twice_mean);
+    energy.friction += friction;
+    energy.contact += motion * force + friction;
 
     if (solid.is_damped())
       {
@@ -115,7 +139,7 @@ namespace Signorini
   return_contact_work(const SolidModel<dim>                &solid,
                       const ContactModel<dim>              &contact,
                       const State                          &old_state,
-                      const std::vector<SurfacePoint<dim>> &points,
+                      const std::vector<ContactPoint<dim>> &points,
                       EffectiveSystem<dim>                 &system,
                       State                                &state)
   {
@@ -128,9 +152,11 @@ namespace Signorini
     if (std::abs(debt) <= 1e-14 * energy)
       return;
 
+    // Along the normals only: friction has done its work.
+    const InterfaceForces forces(
+      sum(old_state.contact_forces, state.contact_forces).normal);
     Vector<double> force(solid.n_dofs());
-    contact.add_contact_forces(
-      points, sum(old_state.normal_forces, state.normal_forces), 1., force);
+    contact.add_contact_forces(points, forces, 1., force);
     if (force.all_zero())
       return;
     Vector<double> direction = system.respond(force);
@@ -165,37 +191,37 @@ namespace Signorini
   template void
   measure_support_forces(const SolidModel<2> &,
                          const ContactModel<2> &,
-                         const std::vector<SurfacePoint<2>> &,
+                         const std::vector<ContactPoint<2>> &,
                          State &);
   template void
   measure_support_forces(const SolidModel<3> &,
                          const ContactModel<3> &,
-                         const std::vector<SurfacePoint<3>> &,
+                         const std::vector<ContactPoint<3>> &,
                          State &);
   template void
   measure_work(const SolidModel<2> &,
                const ContactModel<2> &,
                const State &,
-               const std::vector<SurfacePoint<2>> &,
+               const std::vector<ContactPoint<2>> &,
                State &);
   template void
   measure_work(const SolidModel<3> &,
                const ContactModel<3> &,
                const State &,
-               const std::vector<SurfacePoint<3>> &,
+               const std::vector<ContactPoint<3>> &,
                State &);
   template void
   return_contact_work(const SolidModel<2> &,
                       const ContactModel<2> &,
                       const State &,
-                      const std::vector<SurfacePoint<2>> &,
+                      const std::vector<ContactPoint<2>> &,
                       EffectiveSystem<2> &,
                       State &);
   template void
   return_contact_work(const SolidModel<3> &,
                       const ContactModel<3> &,
                       const State &,
-                      const std::vector<SurfacePoint<3>> &,
+                      const std::vector<ContactPoint<3>> &,
                       EffectiveSystem<3> &,
                       State &);
 } // namespace Signorini

@@ -9,11 +9,25 @@ namespace Signorini
 
   namespace
   {
+    // On the contactor, N.
+    template <int dim>
+    Tensor<1, dim>
+    contact_force(const ContactPoint<dim> &point,
+                  const InterfaceForces   &forces,
+                  const unsigned int       k)
+    {
+      Tensor<1, dim> force = forces.normal[k] * point.normal;
+      for (unsigned int j = 0; j < dim - 1; ++j)
+        force -= forces.tangential[k][j] * point.tangents[j];
+      return force;
+    }
+
     // What happens on one pair.
     template <int dim>
     struct PairResult
     {
       unsigned int   n_contacts = 0;
+      unsigned int   n_slipping = 0;
       Tensor<1, dim> force;
       double         pressure_max  = 0.;
       double         pressure_mean = 0.;
@@ -23,7 +37,7 @@ namespace Signorini
     template <int dim>
     PairResult<dim>
     pair_result(const ContactPair<dim>               &pair,
-                const std::vector<SurfacePoint<dim>> &points,
+                const std::vector<ContactPoint<dim>> &points,
                 const State                          &state)
     {
       PairResult<dim> result;
@@ -31,12 +45,13 @@ namespace Signorini
       for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
         {
           const unsigned int k     = pair.first_contact + n;
-          const double       force = state.normal_forces[k];
+          const double       force = state.contact_forces.normal[k];
           result.gap_min           = std::min(result.gap_min, state.gaps[k]);
           if (force <= 0.)
             continue;
           ++result.n_contacts;
-          result.force += force * points[k].normal;
+          result.n_slipping += state.is_slipping[k];
+          result.force += contact_force(points[k], state.contact_forces, k);
           total_force += force;
           total_area += pair.contactor.areas[n];
           result.pressure_max =
@@ -53,8 +68,8 @@ namespace Signorini
   unsigned int
   n_active_contacts(const State &state)
   {
-    return std::count_if(state.normal_forces.begin(),
-                         state.normal_forces.end(),
+    return std::count_if(state.contact_forces.normal.begin(),
+                         state.contact_forces.normal.end(),
                          [](const double force) { return force > 0.; });
   }
 
@@ -80,6 +95,8 @@ namespace Signorini
     for (const auto &pair : problem.contact->pairs())
       {
         history.add_column(pair.name + ".contacts", "");
+        if (!pair.friction.is_frictionless())
+          history.add_column(pair.name + ".slipping", "");
         for (unsigned int c = 0; c < dim; ++c)
           history.add_column(pair.name + ".force_" + component_name(c), "N");
         history.add_column(pair.name + ".pressure_max", "Pa");
@@ -90,6 +107,7 @@ namespace Signorini
     for (const char *const name : {"energy.kinetic",
                                    "energy.stored",
                                    "energy.damping",
+                                   "energy.friction",
                                    "energy.scheme_loss",
                                    "work.loads",
                                    "work.supports",
@@ -118,11 +136,13 @@ namespace Signorini
           row.push_back(state.velocity[dof]);
       }
     const auto points =
-      problem.contact->evaluate(state.displacement, state.time);
+      problem.contact->evaluate({state.displacement, state.time});
     for (const auto &pair : problem.contact->pairs())
       {
         const PairResult<dim> result = pair_result(pair, points, state);
         row.push_back(result.n_contacts);
+        if (!pair.friction.is_frictionless())
+          row.push_back(result.n_slipping);
         for (unsigned int c = 0; c < dim; ++c)
           row.push_back(result.force[c]);
         row.push_back(result.pressure_max);
@@ -134,6 +154,7 @@ namespace Signorini
     for (const double value : {energy.kinetic,
                                energy.stored,
                                energy.damping,
+                               energy.friction,
                                energy.scheme_loss(),
                                energy.loads,
                                energy.supports,

@@ -26,9 +26,10 @@ namespace Signorini
   template <int dim>
   void
   balance_initial_acceleration(const SolidModel<dim>                &solid,
-                               const std::vector<SurfacePoint<dim>> &points,
-                               EffectiveSystem<dim>                 &system,
-                               State                                &state)
+                               const std::vector<ContactPoint<dim>> &points,
+                               const std::vector<double> &coefficients,
+                               EffectiveSystem<dim>      &system,
+                               State                     &state)
   {
     // The motion in a time tau that is short against every oscillation of the
     // mesh: nodes with mass move by A tau^2, those without to their balance.
@@ -46,8 +47,9 @@ namespace Signorini
         solid.damping().vmult(product, state.velocity);
         force -= product;
       }
-    const auto correction = system.correct(force, points, state.normal_forces);
-    state.normal_forces   = correction.multipliers;
+    const auto correction =
+      system.correct(force, points, state.contact_forces, coefficients);
+    state.contact_forces = correction.multipliers;
     for (unsigned int i = 0; i < correction.motion.size(); ++i)
       if (solid.mass_redistribution().is_massless(i))
         state.displacement[i] += correction.motion[i];
@@ -62,12 +64,14 @@ namespace Signorini
 
   template void
   balance_initial_acceleration(const SolidModel<2> &,
-                               const std::vector<SurfacePoint<2>> &,
+                               const std::vector<ContactPoint<2>> &,
+                               const std::vector<double> &,
                                EffectiveSystem<2> &,
                                State &);
   template void
   balance_initial_acceleration(const SolidModel<3> &,
-                               const std::vector<SurfacePoint<3>> &,
+                               const std::vector<ContactPoint<3>> &,
+                               const std::vector<double> &,
                                EffectiveSystem<3> &,
                                State &);
 } // namespace Signorini

@@ -77,6 +77,20 @@ namespace Signorini
           vector[node.dofs[c]] = function.value(node.point, 0., c);
     }
 
+    void
+    refuse_missing_mass(const std::string                &name,
+                        const bool                        is_dynamic,
+                        const std::vector<LumpedUnknown> &unknowns)
+    {
+      for (unsigned int c = 0; c < unknowns.size(); ++c)
+        if (is_dynamic && !unknowns[c].motion && unknowns[c].mass <= 0.)
+          throw InputError(
+            "Rigid body " + name + " / " +
+            (c == 2 && unknowns[0].mass > 0. ? "Moment of inertia" : "Mass") +
+            ": must be greater than zero in a dynamic run, since the body has "
+            "free components. Give it, or set Time / Analysis = static.");
+    }
+
     ContactMass
     contact_mass(const std::string &name)
     {
@@ -160,7 +174,19 @@ namespace Signorini
           {std::move(body), std::move(loads), std::move(supports)});
         prm.leave_subsection();
       }
-    problem.solid = std::make_unique<SolidModel<dim>>(std::move(parts));
+    std::vector<LumpedUnknown> lumped;
+    for (const auto &name : outline.rigid_bodies)
+      {
+        prm.enter_subsection("Rigid body " + name);
+        problem.rigid_bodies.push_back(std::make_unique<RigidBody<dim>>(
+          name, directory, constants, n_dofs, prm));
+        prm.leave_subsection();
+        const auto unknowns = problem.rigid_bodies.back()->unknowns();
+        refuse_missing_mass(name, problem.time.dynamic, unknowns);
+        lumped.insert(lumped.end(), unknowns.begin(), unknowns.end());
+        n_dofs += unknowns.size();
+      }
+    problem.solid = std::make_unique<SolidModel<dim>>(std::move(parts), lumped);
     problem.initial_displacement.reinit(n_dofs);
     problem.initial_velocity.reinit(n_dofs);
     for (const auto &part : problem.solid->parts())
@@ -182,15 +208,12 @@ namespace Signorini
       for (const auto &part : problem.solid->parts())
         refuse_free_rigid_motion(*part.body, problem.solid->is_fixed());
 
-    // 2. Targets and pairs
-    for (const auto &name : outline.rigid_bodies)
-      {
-        prm.enter_subsection("Rigid body " + name);
-        problem.rigid_bodies.push_back(
-          std::make_unique<RigidBody<dim>>(name, constants, prm));
-        prm.leave_subsection();
-      }
-    problem.contact_parameters = ContactParameters::parse(prm);
+    for (unsigned int l = 0; l < lumped.size(); ++l)
+      problem.initial_velocity[n_dofs - lumped.size() + l] =
+        lumped[l].initial_velocity;
+
+    // 2. Pairs
+    problem.contact_parameters = ContactParameters::parse(constants, prm);
     problem.contact = create_contact_model(problem.contact_parameters,
                                            *problem.solid,
                                            problem.rigid_bodies);

@@ -143,7 +143,7 @@ namespace Signorini
   ResultFields<dim>::surface_data(const ContactPair<dim> &pair) const
   {
     const auto points =
-      problem_.contact->evaluate(state_->displacement, state_->time);
+      problem_.contact->evaluate({state_->displacement, state_->time});
     SurfaceData<dim>            data;
     std::vector<double>         gap, pressure, status;
     std::vector<Tensor<1, dim>> traction, normal, displacement;
@@ -151,11 +151,12 @@ namespace Signorini
       {
         const unsigned int k    = pair.first_contact + n;
         const auto        &node = pair.contactor.nodes[n];
-        const double p = pair.contactor.pressure(n, state_->normal_forces[k]);
+        const double       p =
+          pair.contactor.pressure(n, state_->contact_forces.normal[k]);
         data.nodes.push_back(node.point);
         gap.push_back(state_->gaps[k]);
         pressure.push_back(p);
-        status.push_back(state_->normal_forces[k] > 0. ? 1. : 0.);
+        status.push_back(state_->contact_forces.normal[k] > 0. ? 1. : 0.);
         normal.push_back(points[k].normal);
         traction.push_back(p * points[k].normal);
         Tensor<1, dim> u;

@@ -35,7 +35,7 @@ namespace Signorini
              << part.body->mesh().triangulation->n_active_cells() << " cells, "
              << part.body->n_dofs() << " unknowns\n";
       const auto points =
-        problem.contact->evaluate(problem.initial_displacement, 0.);
+        problem.contact->evaluate({problem.initial_displacement, 0.});
       for (const auto &pair : problem.contact->pairs())
         {
           double smallest = std::numeric_limits<double>::max();

@@ -307,8 +307,9 @@ namespace Signorini
            << " + loads " << energy.loads << " + supports " << energy.supports
            << " + contact " << energy.contact << " + returned "
            << energy.returned << " = kinetic " << energy.kinetic << " + stored "
-           << energy.stored << " + damping " << energy.damping
-           << " + lost by the scheme " << energy.scheme_loss();
+           << energy.stored << " + damping " << energy.damping << " + friction "
+           << energy.friction << " + lost by the scheme "
+           << energy.scheme_loss();
     log.line(ledger.str());
     for (const auto &pair : problem_.contact->pairs())
       {

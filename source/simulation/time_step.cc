@@ -39,16 +39,32 @@ namespace Signorini
     }
 
     double
-    relative_change(const std::vector<double> &old_forces,
-                    const std::vector<double> &new_forces)
+    relative_change(const InterfaceForces &old_forces,
+                    const InterfaceForces &new_forces)
     {
       double change = 0., largest = 0.;
-      for (unsigned int k = 0; k < new_forces.size(); ++k)
+      for (unsigned int k = 0; k < new_forces.normal.size(); ++k)
         {
-          change  = std::max(change, std::abs(new_forces[k] - old_forces[k]));
-          largest = std::max({largest, new_forces[k], old_forces[k]});
+          const double before = old_forces.normal[k];
+          const double after  = new_forces.normal[k];
+          change              = std::max(change, std::abs(after - before));
+          largest             = std::max({largest, after, before});
+          for (unsigned int j = 0; j < 2; ++j)
+            change = std::max(change,
+                              std::abs(new_forces.tangential[k][j] -
+                                       old_forces.tangential[k][j]));
         }
       return change == 0. ? 0. : change / largest;
+    }
+
+    void
+    scale(InterfaceForces &forces, const double factor)
+    {
+      for (double &normal : forces.normal)
+        normal *= factor;
+      for (auto &tangential : forces.tangential)
+        for (double &component : tangential)
+          component *= factor;
     }
 
     std::string
@@ -100,7 +116,10 @@ namespace Signorini
     state.velocity     = velocity;
     state.acceleration.reinit(solid_.n_dofs());
     state.support_force.reinit(solid_.n_dofs());
-    state.normal_forces.resize(contact_.n_contacts());
+    state.contact_forces = InterfaceForces(contact_.n_contacts());
+    state.slips.resize(contact_.n_contacts());
+    state.slip_rates.resize(contact_.n_contacts());
+    state.is_slipping.resize(contact_.n_contacts());
     solid_.apply_supports(0., state.displacement);
     // A static run starts unloaded: its first step brings the loads from zero.
     state.external_force.reinit(solid_.n_dofs());
@@ -113,12 +132,13 @@ namespace Signorini
                                    state.acceleration);
         solid_.mass_redistribution().extrapolate(state.velocity);
         balance_initial_acceleration(solid_,
-                                     evaluate_contact(state),
+                                     evaluate_contact(state, state),
+                                     friction_coefficients(state),
                                      system_,
                                      state);
       }
     state.internal_force = solid_.internal_force(state.displacement);
-    const auto points    = evaluate_contact(state);
+    const auto points    = evaluate_contact(state, state);
     for (const auto &point : points)
       state.gaps.push_back(point.gap);
     measure_support_forces(solid_, contact_, points, state);
@@ -160,25 +180,25 @@ namespace Signorini
         state.internal_force = solid_.internal_force(state.displacement);
       }
     const std::string held =
-      contact_.held_penetration(state.displacement, state.time);
+      contact_.held_penetration({state.displacement, state.time});
     if (!held.empty())
       throw ComputationError("Contact: " + held);
 
-    Iterate iterate = {old_state.normal_forces,
+    Iterate iterate = {old_state.contact_forces,
+                       friction_coefficients(old_state),
                        std::numeric_limits<double>::max(),
                        0.};
-    for (double &multiplier : iterate.multipliers)
-      multiplier *= multiplier_factor_;
+    scale(iterate.multipliers, multiplier_factor_);
     while (true)
       {
         update_rates(old_state, step_size, state);
-        const auto           points = evaluate_contact(state);
+        const auto           points = evaluate_contact(state, old_state);
         const Vector<double> force  = residual(old_state, state);
         state.residual =
           imbalance(old_state, state, force, points, iterate.multipliers);
         if (is_solved(state, points, iterate))
           {
-            finish(old_state, points, iterate.multipliers, state);
+            finish(old_state, points, iterate, state);
             return state;
           }
         if (!std::isfinite(state.residual) ||
@@ -193,7 +213,7 @@ namespace Signorini
   template <int dim>
   bool
   TimeStep<dim>::is_solved(const State                          &state,
-                           const std::vector<SurfacePoint<dim>> &points,
+                           const std::vector<ContactPoint<dim>> &points,
                            const Iterate                        &iterate) const
   {
     if (state.n_iterations == 0 ||
@@ -212,7 +232,7 @@ namespace Signorini
     const double tolerance = 1e-6 * iterate.motion + 1e-15;
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].gap < -tolerance ||
-          (iterate.multipliers[k] > 0. && points[k].gap > tolerance))
+          (iterate.multipliers.normal[k] > 0. && points[k].gap > tolerance))
         return false;
     return true;
   }
@@ -222,14 +242,16 @@ namespace Signorini
   template <int dim>
   typename TimeStep<dim>::Iterate
   TimeStep<dim>::improve(const Vector<double>                 &residual,
-                         const std::vector<SurfacePoint<dim>> &points,
+                         const std::vector<ContactPoint<dim>> &points,
                          const Iterate                        &iterate,
                          State                                &state)
   {
     try
       {
-        auto correction =
-          system_.correct(residual, points, iterate.multipliers);
+        auto correction = system_.correct(residual,
+                                          points,
+                                          iterate.multipliers,
+                                          iterate.coefficients);
         state.displacement += correction.motion;
         state.kkt_residual = correction.kkt_residual;
         ++state.n_iterations;
@@ -238,6 +260,7 @@ namespace Signorini
         const double change =
           relative_change(iterate.multipliers, correction.multipliers);
         return {std::move(correction.multipliers),
+                iterate.coefficients,
                 change,
                 correction.motion.linfty_norm()};
       }
@@ -254,11 +277,30 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<SurfacePoint<dim>>
-  TimeStep<dim>::evaluate_contact(const State &state) const
+  std::vector<ContactPoint<dim>>
+  TimeStep<dim>::evaluate_contact(const State &state,
+                                  const State &old_state) const
   {
     const auto timing = timings_.measure(section_contact_);
-    return contact_.evaluate(state.displacement, state.time);
+    return contact_.evaluate({state.displacement, state.time},
+                             {old_state.displacement, old_state.time});
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  TimeStep<dim>::friction_coefficients(const State &state) const
+  {
+    std::vector<double> coefficients(contact_.n_contacts());
+    for (const auto &pair : contact_.pairs())
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k = pair.first_contact + n;
+          coefficients[k] = pair.friction.coefficient(state.is_slipping[k] == 0,
+                                                      state.slip_rates[k]);
+        }
+    return coefficients;
   }
 
 
@@ -336,8 +378,8 @@ namespace Signorini
   TimeStep<dim>::imbalance(const State                          &old_state,
                            const State                          &state,
                            Vector<double>                        residual,
-                           const std::vector<SurfacePoint<dim>> &points,
-                           const std::vector<double> &multipliers) const
+                           const std::vector<ContactPoint<dim>> &points,
+                           const InterfaceForces &multipliers) const
   {
     const auto   timing    = timings_.measure(section_residual_);
     const double step_size = state.time - old_state.time;
@@ -358,7 +400,7 @@ namespace Signorini
                              state.internal_force.linfty_norm(),
                              largest_mass_ * state.acceleration.linfty_norm(),
                              1e-5 * held_back});
-    for (const double multiplier : multipliers)
+    for (const double multiplier : multipliers.normal)
       scale = std::max(scale, multiplier);
     return largest / scale;
   }
@@ -368,15 +410,15 @@ namespace Signorini
   template <int dim>
   void
   TimeStep<dim>::finish(const State                          &old_state,
-                        const std::vector<SurfacePoint<dim>> &points,
-                        const std::vector<double>            &multipliers,
+                        const std::vector<ContactPoint<dim>> &points,
+                        const Iterate                        &iterate,
                         State                                &state)
   {
+    state.contact_forces = iterate.multipliers;
+    scale(state.contact_forces, 1. / multiplier_factor_);
     for (unsigned int k = 0; k < points.size(); ++k)
-      {
-        state.normal_forces[k] = multipliers[k] / multiplier_factor_;
-        state.gaps[k]          = points[k].gap;
-      }
+      state.gaps[k] = points[k].gap;
+    measure_slip(old_state, points, iterate.coefficients, state);
     if (settings_.time.dynamic)
       {
         solid_.mass_redistribution().extrapolate(state.velocity);
@@ -390,6 +432,36 @@ namespace Signorini
     measure_support_forces(solid_, contact_, points, state);
     measure_energy(solid_, state);
     measure_work(solid_, contact_, old_state, points, state);
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::measure_slip(const State                          &old_state,
+                              const std::vector<ContactPoint<dim>> &points,
+                              const std::vector<double> &coefficients,
+                              State                     &state) const
+  {
+    const double step_size = state.time - old_state.time;
+    for (unsigned int k = 0; k < points.size(); ++k)
+      {
+        const double          normal     = state.contact_forces.normal[k];
+        const auto           &tangential = state.contact_forces.tangential[k];
+        std::array<double, 2> slip       = {{0., 0.}};
+        if (normal > 0.)
+          slip = points[k].slip;
+        else
+          state.slips[k] = slip;
+        for (unsigned int j = 0; j < 2; ++j)
+          state.slips[k][j] += slip[j];
+        state.slip_rates[k] = std::hypot(slip[0], slip[1]) / step_size;
+
+        // Stick is exact, so that friction below its bound is the sign of it.
+        state.is_slipping[k] =
+          normal > 0. && std::hypot(tangential[0], tangential[1]) >=
+                           (1. - 1e-9) * coefficients[k] * normal;
+      }
   }
 
 

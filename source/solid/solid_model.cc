@@ -2,6 +2,7 @@
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/nearest_name.h>
 #include <signorini/solid/assembler.h>
+#include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/solid_model.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -46,8 +47,10 @@ namespace Signorini
 
 
   template <int dim>
-  SolidModel<dim>::SolidModel(std::vector<Part> parts)
+  SolidModel<dim>::SolidModel(std::vector<Part>          parts,
+                              std::vector<LumpedUnknown> lumped)
     : parts_(std::move(parts))
+    , lumped_(std::move(lumped))
     , loads_vary_(false)
     , supports_are_fixed_(true)
     , force_time_(std::numeric_limits<double>::quiet_NaN())
@@ -62,6 +65,8 @@ namespace Signorini
         supports_are_fixed_ = supports_are_fixed_ && part.supports.are_fixed();
       }
     constraints_.close();
+    n_dofs += lumped_.size();
+    loads_vary_ = loads_vary_ || !lumped_.empty();
 
     is_hanging_.resize(n_dofs);
     for (const auto &line : constraints_.get_lines())
@@ -69,6 +74,12 @@ namespace Signorini
     is_fixed_ = is_hanging_;
     for (const auto &part : parts_)
       part.supports.mark(is_fixed_);
+    for (unsigned int l = 0; l < lumped_.size(); ++l)
+      if (lumped_[l].motion)
+        {
+          is_fixed_[first_lumped() + l] = true;
+          supports_are_fixed_           = false;
+        }
     force_.reinit(n_dofs);
   }
 
@@ -122,6 +133,32 @@ namespace Signorini
     clear_condensed_diagonal(constraints_, stiffness_);
     if (inertia.present)
       assemble_inertia(inertia);
+    else
+      hold_free_bodies();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidModel<dim>::hold_free_bodies()
+  {
+    // Soft against the bodies, so that one or two corrections are enough, but
+    // far above rounding.
+    double mean = 0.;
+    for (unsigned int i = 0; i < first_lumped(); ++i)
+      mean += stiffness_.diag_element(i) / first_lumped();
+    const double   softness = 1e-5 * mean;
+    Vector<double> springs(n_dofs());
+    for (const auto &part : parts_)
+      if (!free_rigid_motion(*part.body, is_fixed_).empty())
+        for (const auto &node : part.body->nodes())
+          for (const unsigned int dof : node.dofs)
+            springs[dof] = softness / part.body->nodes().size();
+    for (unsigned int l = 0; l < lumped_.size(); ++l)
+      springs[first_lumped() + l] = softness;
+    if (springs.linfty_norm() > 0.)
+      proximal_stiffness_ = springs;
   }
 
 
@@ -143,6 +180,8 @@ namespace Signorini
             constraints_.add_entries_local_to_global(dofs, pattern);
           }
       }
+    for (unsigned int i = first_lumped(); i < n_dofs(); ++i)
+      pattern.add(i, i);
     redistribution_.extend(pattern);
     sparsity_.copy_from(pattern);
   }
@@ -182,6 +221,8 @@ namespace Signorini
       }
     clear_condensed_diagonal(constraints_, mass);
     clear_condensed_diagonal(constraints_, damping);
+    for (unsigned int l = 0; l < lumped_.size(); ++l)
+      mass.set(first_lumped() + l, first_lumped() + l, lumped_[l].mass);
     mass_.reinit(sparsity_);
     redistribution_.congruence(mass, mass_);
     if (is_damped)
@@ -215,6 +256,9 @@ namespace Signorini
         force_ = 0.;
         for (const auto &part : parts_)
           part.loads.add_forces(time, force_);
+        for (unsigned int l = 0; l < lumped_.size(); ++l)
+          if (lumped_[l].force)
+            force_[first_lumped() + l] = lumped_[l].force(time);
         constraints_.condense(force_);
         force_time_ = time;
       }
@@ -230,6 +274,9 @@ namespace Signorini
   {
     for (const auto &part : parts_)
       part.supports.set_displacements(time, displacement);
+    for (unsigned int l = 0; l < lumped_.size(); ++l)
+      if (lumped_[l].motion)
+        displacement[first_lumped() + l] = lumped_[l].motion(time);
     constraints_.distribute(displacement);
   }
 
@@ -244,6 +291,17 @@ namespace Signorini
   {
     for (const auto &part : parts_)
       part.supports.set_rates(time, step_size, velocity, acceleration);
+    const double difference = 0.01 * step_size;
+    for (unsigned int l = 0; l < lumped_.size(); ++l)
+      if (const auto &motion = lumped_[l].motion)
+        {
+          const double before          = motion(time - difference);
+          const double now             = motion(time);
+          const double after           = motion(time + difference);
+          velocity[first_lumped() + l] = (after - before) / (2. * difference);
+          acceleration[first_lumped() + l] =
+            (after - 2. * now + before) / (difference * difference);
+        }
     constraints_.distribute(velocity);
     constraints_.distribute(acceleration);
   }

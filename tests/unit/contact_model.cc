@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_model.h>
+#include <signorini/contact/rigid_target.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,9 +26,7 @@ namespace
                             " set Fixed = point 0, 0: x\nend\n",
                             Formulation::plane_strain))
       , ball(create_ball())
-      , contact({{solid.parts()[0].body.get(), "bottom", ball.get()}},
-                solid.is_fixed(),
-                solid.is_hanging())
+      , contact(create_contact(solid, *ball))
     {}
 
     static std::unique_ptr<RigidBody<2>>
@@ -38,7 +37,19 @@ namespace
       prm.parse_input_from_string("set Shape = circle\nsubsection Circle\n"
                                   " set Centre = 0.8, -1.5\n"
                                   " set Radius = 1.2\nend\n");
-      return std::make_unique<RigidBody<2>>("ball", Constants(), prm);
+      return std::make_unique<RigidBody<2>>("ball", "", Constants(), 0, prm);
+    }
+
+    static ContactModel<2>
+    create_contact(const SolidModel<2> &solid, const RigidBody<2> &ball)
+    {
+      std::vector<ContactModel<2>::PairDescription> pairs;
+      pairs.push_back({solid.parts()[0].body.get(),
+                       "bottom",
+                       std::make_unique<RigidTarget<2>>(ball)});
+      return ContactModel<2>(std::move(pairs),
+                             solid.is_fixed(),
+                             solid.constraints());
     }
 
     // Contact forces at fixed multipliers, on all unknowns.
@@ -47,8 +58,8 @@ namespace
            const std::vector<double> &multipliers) const
     {
       Vector<double> result(solid.n_dofs());
-      contact.add_contact_forces(contact.evaluate(displacement, 0.),
-                                 multipliers,
+      contact.add_contact_forces(contact.evaluate({displacement, 0.}),
+                                 InterfaceForces(multipliers),
                                  1.,
                                  result);
       return result;
@@ -72,7 +83,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness)
   BOOST_TEST(dofs.size() == 7u);
 
   FullMatrix<double> stiffness(dofs.size(), dofs.size());
-  setup.contact.add_geometric_stiffness(setup.contact.evaluate(u, 0.),
+  setup.contact.add_geometric_stiffness(setup.contact.evaluate({u, 0.}),
                                         multipliers,
                                         stiffness);
   BOOST_TEST(stiffness.frobenius_norm() > 1.);
@@ -99,14 +110,15 @@ BOOST_AUTO_TEST_CASE(linearised_gaps)
   const auto          &dofs = setup.contact.interface_dofs();
   const Vector<double> u(setup.solid.n_dofs());
   const auto           contacts =
-    setup.contact.constraints(setup.contact.evaluate(u, 0.));
+    setup.contact.constraints(setup.contact.evaluate({u, 0.}),
+                              std::vector<double>(4, 0.));
   Vector<double> moved(u), motion(dofs.size());
   for (unsigned int i = 0; i < dofs.size(); ++i)
     {
       motion[i] = 1e-5 * std::cos(1. + i);
       moved[dofs[i]] += motion[i];
     }
-  const auto after = setup.contact.evaluate(moved, 0.);
+  const auto after = setup.contact.evaluate({moved, 0.});
   for (unsigned int k = 0; k < contacts.size(); ++k)
     BOOST_TEST(std::abs(contacts[k].gap - contacts[k].normal.dot(motion) -
                         after[k].gap) < 1e-9);

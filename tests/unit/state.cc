@@ -30,20 +30,25 @@ namespace
         for (auto &entry : *vector)
           entry = std::sqrt(value += 1.);
       }
-    s.normal_forces   = {0., 2.5};
-    s.gaps            = {1e-5, 0.};
-    s.contact_debt    = 1e-9;
-    s.energy.initial  = 1.;
-    s.energy.kinetic  = 2.;
-    s.energy.stored   = 3.;
-    s.energy.loads    = 4.;
-    s.energy.supports = 5.;
-    s.energy.contact  = 6.;
-    s.energy.returned = 7.;
-    s.energy.damping  = 8.;
-    s.n_iterations    = 2;
-    s.residual        = 1e-12;
-    s.kkt_residual    = 1e-15;
+    s.contact_forces               = InterfaceForces({0., 2.5});
+    s.contact_forces.tangential[1] = {{0.5, 0.25}};
+    s.gaps                         = {1e-5, 0.};
+    s.contact_debt                 = 1e-9;
+    s.energy.initial               = 1.;
+    s.energy.kinetic               = 2.;
+    s.energy.stored                = 3.;
+    s.energy.loads                 = 4.;
+    s.energy.supports              = 5.;
+    s.energy.contact               = 6.;
+    s.energy.returned              = 7.;
+    s.energy.damping               = 8.;
+    s.energy.friction              = 0.5;
+    s.slips                        = {{{0., 0.}}, {{1e-3, 0.}}};
+    s.slip_rates                   = {0., 3.};
+    s.is_slipping                  = {0, 1};
+    s.n_iterations                 = 2;
+    s.residual                     = 1e-12;
+    s.kkt_residual                 = 1e-15;
     return s;
   }
 
@@ -80,7 +85,7 @@ BOOST_AUTO_TEST_CASE(copies_are_independent)
   const State original = example();
   State       copy     = original;
   copy.displacement *= 2.;
-  copy.normal_forces[1] = 0.;
+  copy.contact_forces.normal[1] = 0.;
   BOOST_TEST(text(original) == text(example()));
 }
 
@@ -89,7 +94,7 @@ BOOST_AUTO_TEST_CASE(copies_are_independent)
 BOOST_AUTO_TEST_CASE(ledger)
 {
   BOOST_TEST(example().energy.scheme_loss() ==
-             1. + 4. + 5. + 6. + 7. - 8. - 2. - 3.);
+             1. + 4. + 5. + 6. + 7. - 8. - 0.5 - 2. - 3.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,13 @@
 #ifndef signorini_contact_contact_model_h
 #define signorini_contact_contact_model_h
 
+#include <signorini/contact/contact_point.h>
+#include <signorini/contact/contact_target.h>
 #include <signorini/contact/contactor_surface.h>
-#include <signorini/contact/rigid_body.h>
+#include <signorini/contact/friction_law.h>
 #include <signorini/variational_inequality/interface_problem.h>
 
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
 #include <memory>
@@ -13,43 +16,58 @@
 
 namespace Signorini
 {
-  /** A boundary of a body and the rigid target it may touch. */
+  /** How gaps are tied to contact forces. */
+  enum class ContactConstraint
+  {
+    node_to_surface, // the gap of each node
+    mortar           // gaps weighted by dual functions over the surface
+  };
+
+  /** A boundary of a body and the target it may touch. */
   template <int dim>
   struct ContactPair
   {
-    std::string            name; // column prefix in the history
-    const Body<dim>       *body;
-    const RigidBody<dim>  *target;
-    ContactorSurface<dim>  contactor;
+    std::string                               name; // prefix in the history
+    const Body<dim>                          *body;
+    std::unique_ptr<const ContactTarget<dim>> target;
+    FrictionLaw                               friction;
+    ContactConstraint                         constraint;
+    ContactorSurface<dim>                     surface; // with held nodes
+    ContactorSurface<dim>                     contactor;
+    std::vector<unsigned int>                 node_of_candidate;
+    std::vector<unsigned int>                 candidate_of_node;
     std::vector<Node<dim>> held_nodes;    // that cannot follow a contact force
     unsigned int           first_contact; // in the count of all pairs
   };
 
   /**
    * All contact pairs: which unknowns they touch, and for each candidate node
-   * the gap, its gradient and its curvature at a displacement. Candidates are
-   * counted through, pair by pair.
+   * gap, slip, their gradients and the curvature of the gap at a displacement.
+   * Candidates are counted through, pair by pair.
    */
   template <int dim>
   class ContactModel
   {
   public:
-    /** A boundary of a body against a target, as named in the .prm. */
-    struct PairNames
+    /** A boundary of a body against a target. */
+    struct PairDescription
     {
-      const Body<dim>      *body;
-      std::string           boundary;
-      const RigidBody<dim> *target;
+      const Body<dim>                          *body;
+      std::string                               boundary;
+      std::unique_ptr<const ContactTarget<dim>> target;
+      FrictionLaw                               friction = FrictionLaw();
+      ContactConstraint constraint = ContactConstraint::node_to_surface;
     };
 
     /**
-     * @param is_fixed   unknowns that do not move with the solution; nodes that
-     *                   cannot move at all are no candidates
-     * @param is_hanging those of them that follow their neighbours
+     * @param is_fixed    unknowns that do not move with the solution; nodes
+     *                    that cannot move at all are no candidates
+     * @param constraints of hanging nodes, which follow their neighbours; must
+     *                    outlive the object
      */
-    ContactModel(const std::vector<PairNames> &pairs,
-                 const std::vector<bool>      &is_fixed,
-                 const std::vector<bool>      &is_hanging);
+    ContactModel(std::vector<PairDescription>             pairs,
+                 const std::vector<bool>                 &is_fixed,
+                 const dealii::AffineConstraints<double> &constraints);
 
     const std::vector<ContactPair<dim>> &
     pairs() const
@@ -63,7 +81,7 @@ namespace Signorini
       return n_contacts_;
     }
 
-    /** The free unknowns of all candidate nodes. */
+    /** The free unknowns of all candidate nodes and targets. */
     const std::vector<unsigned int> &
     interface_dofs() const
     {
@@ -74,31 +92,52 @@ namespace Signorini
     bool
     is_flat() const;
 
-    /** Gap, normal and curvature of each candidate (m, 1, 1/m). */
-    std::vector<SurfacePoint<dim>>
-    evaluate(const dealii::Vector<double> &displacement,
-             const double                  time) const;
+    /** True if all pairs slide without friction. */
+    bool
+    is_frictionless() const;
+
+    /**
+     * What each candidate sees of its target.
+     * @param before the start of the step, from where slip is measured
+     */
+    std::vector<ContactPoint<dim>>
+    evaluate(const Configuration &now, const Configuration &before) const;
+
+    /** The same without a step: no slip. */
+    std::vector<ContactPoint<dim>>
+    evaluate(const Configuration &now) const
+    {
+      return evaluate(now, now);
+    }
 
     /**
      * What is wrong in words if a node that is held, and therefore no
      * candidate, lies inside of a target; empty otherwise.
      */
     std::string
-    held_penetration(const dealii::Vector<double> &displacement,
-                     const double                  time) const;
+    held_penetration(const Configuration &configuration) const;
 
     /** `floor at (0 0), ...' for the first few of these candidates. */
     std::string
     candidates_in_words(const std::vector<unsigned int> &candidates) const;
 
-    /** Rows A_k = -n on the interface unknowns, and gaps G_k. */
-    std::vector<InterfaceContact>
-    constraints(const std::vector<SurfacePoint<dim>> &points) const;
+    /** The pair of a candidate. */
+    const ContactPair<dim> &
+    pair_of(const unsigned int candidate) const;
 
-    /** forces += factor sum_k n_k lambda_k on the candidate nodes. */
+    /**
+     * Rows A_k = -dg/dq and T_k = ds/dq on the interface unknowns, gaps, slips
+     * and friction bounds.
+     * @param coefficients mu of each candidate
+     */
+    std::vector<InterfaceContact>
+    constraints(const std::vector<ContactPoint<dim>> &points,
+                const std::vector<double>            &coefficients) const;
+
+    /** forces += factor sum_k (lambda_k dg_k/dq - tau_k.ds_k/dq). */
     void
-    add_contact_forces(const std::vector<SurfacePoint<dim>> &points,
-                       const std::vector<double>            &normal_forces,
+    add_contact_forces(const std::vector<ContactPoint<dim>> &points,
+                       const InterfaceForces                &contact_forces,
                        const double                          factor,
                        dealii::Vector<double>               &forces) const;
 
@@ -107,20 +146,31 @@ namespace Signorini
      * interface unknowns, added to a dense matrix. N/m.
      */
     void
-    add_geometric_stiffness(const std::vector<SurfacePoint<dim>> &points,
+    add_geometric_stiffness(const std::vector<ContactPoint<dim>> &points,
                             const std::vector<double>            &normal_forces,
                             dealii::FullMatrix<double> &stiffness) const;
 
   private:
+    void
+    add_pair(PairDescription &&description, const std::vector<bool> &is_fixed);
+
+    void
+    number_interface(const std::vector<bool> &is_fixed);
+
     // Calls f(k, node, pair) for every candidate.
     template <typename Function>
     void
     for_each_candidate(const Function &f) const;
 
-    std::vector<ContactPair<dim>> pairs_;
-    unsigned int                  n_contacts_ = 0;
-    std::vector<unsigned int>     interface_dofs_;
-    std::vector<unsigned int>     interface_index_; // of all unknowns
+    // The row on the interface unknowns, times a factor.
+    SparseRow
+    on_interface(const SparseRow &row, const double factor) const;
+
+    const dealii::AffineConstraints<double> &hanging_nodes_;
+    std::vector<ContactPair<dim>>            pairs_;
+    unsigned int                             n_contacts_ = 0;
+    std::vector<unsigned int>                interface_dofs_;
+    std::vector<unsigned int> interface_index_; // of all unknowns
   };
 } // namespace Signorini
 

@@ -22,10 +22,15 @@ namespace Signorini
     std::vector<double> areas;
 
     /**
-     * Straight or bilinear pieces between neighbouring nodes, for pictures: 2
-     * or 4 (lexicographic) indices of nodes.
+     * Straight or bilinear pieces between neighbouring nodes: 2 or 4
+     * (lexicographic) indices of nodes. In 2-D the body lies on the left of a
+     * piece; in 3-D its first times its second edge points out of the body.
      */
     std::vector<std::vector<unsigned int>> faces;
+
+    /** The whole faces of the elements: (degree + 1)^(dim-1) nodes each. */
+    std::vector<std::vector<unsigned int>> elements;
+    unsigned int                           degree = 1;
 
     /**
      * Contact pressure at a node under a contact force (N), in Pa. A node that
@@ -39,6 +44,21 @@ namespace Signorini
   template <int dim>
   ContactorSurface<dim>
   contactor_surface(const Body<dim> &body, const std::string &boundary);
+
+  /** The positions of the nodes of a surface under a displacement, m. */
+  template <int dim>
+  std::vector<dealii::Point<dim>>
+  node_positions(const std::vector<Node<dim>> &nodes,
+                 const dealii::Vector<double> &displacement);
+
+  /**
+   * Unit normals at the nodes, out of the body: the sum of those of the pieces
+   * around, weighted by their size.
+   */
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  node_normals(const ContactorSurface<dim>           &surface,
+               const std::vector<dealii::Point<dim>> &positions);
 } // namespace Signorini
 
 #endif

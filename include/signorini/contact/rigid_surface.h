@@ -38,6 +38,13 @@ namespace Signorini
     /** True if normals are the same everywhere. */
     virtual bool
     is_flat() const = 0;
+
+    /** A length that is typical of it, m; 1 if it has none. */
+    virtual double
+    reference_length() const
+    {
+      return 1.;
+    }
   };
 
   /** Declares `Shape` and the subsection of each shape. */

@@ -38,6 +38,12 @@ namespace Signorini
     bool
     is_flat() const override;
 
+    double
+    reference_length() const override
+    {
+      return radius_;
+    }
+
   private:
     dealii::Point<dim>     centre_;
     double                 radius_;

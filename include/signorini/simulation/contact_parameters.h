@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
 #include <signorini/solid/solid_model.h>
+#include <signorini/space_time_function.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
 #include <memory>
@@ -19,12 +20,14 @@ namespace Signorini
     AlgorithmParameters      algorithm;
     double                   relative_penalty_stiffness; // of the body's, 1
     double                   force_tolerance;            // 1
+    FrictionLaw              friction;
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
 
+    /** @throws InputError. */
     static ContactParameters
-    parse(dealii::ParameterHandler &prm);
+    parse(const Constants &constants, dealii::ParameterHandler &prm);
   };
 
   /**

@@ -41,7 +41,7 @@ namespace Signorini
     struct Correction
     {
       dealii::Vector<double> motion;      // of all unknowns, m
-      std::vector<double>    multipliers; // of the candidates, N
+      InterfaceForces        multipliers; // of the candidates, N
       double                 kkt_residual;
     };
 
@@ -64,12 +64,14 @@ namespace Signorini
      * @param residual    without contact forces, N
      * @param multipliers of the last iterate: the start of the search, and the
      *                    forces of the geometric contact term
+     * @param coefficients of friction, of each candidate
      * @throws InterfaceError.
      */
     Correction
     correct(const dealii::Vector<double>         &residual,
-            const std::vector<SurfacePoint<dim>> &points,
-            const std::vector<double>            &multipliers);
+            const std::vector<ContactPoint<dim>> &points,
+            const InterfaceForces                &multipliers,
+            const std::vector<double>            &coefficients);
 
     /** K^-1 force, as if there were no contact. */
     dealii::Vector<double>
@@ -89,9 +91,16 @@ namespace Signorini
 
   private:
     void
-    pose_interface_problem(const std::vector<SurfacePoint<dim>> &points,
-                           const std::vector<double>            &multipliers,
+    pose_interface_problem(const std::vector<ContactPoint<dim>> &points,
+                           const InterfaceForces                &multipliers,
+                           const std::vector<double>            &coefficients,
                            dealii::Vector<double>               &reduced_force);
+
+    // S with the geometric contact term, or without where that term would make
+    // it indefinite: then the iteration is a modified Newton's.
+    InterfaceStiffness
+    stiffness_with_curvature(const std::vector<ContactPoint<dim>> &points,
+                             const std::vector<double> &normal_forces) const;
 
     const SolidModel<dim>              &solid_;
     const ContactModel<dim>            &contact_;

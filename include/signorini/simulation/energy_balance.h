@@ -21,19 +21,19 @@ namespace Signorini
   void
   measure_support_forces(const SolidModel<dim>                &solid,
                          const ContactModel<dim>              &contact,
-                         const std::vector<SurfacePoint<dim>> &points,
+                         const std::vector<ContactPoint<dim>> &points,
                          State                                &state);
 
   /**
    * Adds to the ledger the works of a step, each by the trapezoidal rule: mean
-   * force times motion.
+   * force times motion. Friction takes sum_k (tau_n + tau_np)/2 . slip_k.
    */
   template <int dim>
   void
   measure_work(const SolidModel<dim>                &solid,
                const ContactModel<dim>              &contact,
                const State                          &old_state,
-               const std::vector<SurfacePoint<dim>> &points,
+               const std::vector<ContactPoint<dim>> &points,
                State                                &state);
 
   /**
@@ -53,7 +53,7 @@ namespace Signorini
   return_contact_work(const SolidModel<dim>                &solid,
                       const ContactModel<dim>              &contact,
                       const State                          &old_state,
-                      const std::vector<SurfacePoint<dim>> &points,
+                      const std::vector<ContactPoint<dim>> &points,
                       EffectiveSystem<dim>                 &system,
                       State                                &state);
 } // namespace Signorini

@@ -15,9 +15,10 @@ namespace Signorini
   template <int dim>
   void
   balance_initial_acceleration(const SolidModel<dim>                &solid,
-                               const std::vector<SurfacePoint<dim>> &points,
-                               EffectiveSystem<dim>                 &system,
-                               State                                &state);
+                               const std::vector<ContactPoint<dim>> &points,
+                               const std::vector<double> &coefficients,
+                               EffectiveSystem<dim>      &system,
+                               State                     &state);
 } // namespace Signorini
 
 #endif

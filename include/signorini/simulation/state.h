@@ -1,10 +1,14 @@
 #ifndef signorini_simulation_state_h
 #define signorini_simulation_state_h
 
+#include <signorini/variational_inequality/interface_problem.h>
+
 #include <deal.II/lac/vector.h>
 
+#include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <array>
 #include <vector>
 
 namespace Signorini
@@ -13,7 +17,7 @@ namespace Signorini
    * Where energy is and where it came from since t = 0, in J (2-D: with the
    * thickness). The sum of the works on the right equals what is kept on the
    * left up to what the time integration loses,
-   *   kinetic + stored + damping + scheme_loss
+   *   kinetic + stored + damping + friction + scheme_loss
    *     = initial + loads + supports + contact + returned.
    */
   struct EnergyLedger
@@ -23,16 +27,17 @@ namespace Signorini
     double stored   = 0.; // strain energy
     double loads    = 0.; // work of the loads
     double supports = 0.; // work of prescribed motions
-    double contact  = 0.; // work of the contact forces on the bodies
+    double contact  = 0.; // of the contact forces, but for friction
     double returned = 0.; // given back for contacts that opened or closed
     double damping  = 0.; // taken by Rayleigh damping
+    double friction = 0.; // taken by slip
 
     /** What the time integration lost; negative: made. */
     double
     scheme_loss() const
     {
       return initial + loads + supports + contact + returned - damping -
-             kinetic - stored;
+             friction - kinetic - stored;
     }
 
     template <class Archive>
@@ -40,7 +45,7 @@ namespace Signorini
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &initial &kinetic &stored &loads &supports &contact &returned
-        &damping;
+        &damping &friction;
     }
   };
 
@@ -58,10 +63,16 @@ namespace Signorini
     dealii::Vector<double> internal_force;    // F_int(U), N
     dealii::Vector<double> external_force;    // F(t), N
     dealii::Vector<double> support_force;     // at given unknowns, N
-    std::vector<double>    normal_forces;     // lambda_k of each candidate, N
+    InterfaceForces        contact_forces;    // of each candidate, N
     std::vector<double>    gaps;              // g_k of each candidate, m
     double                 contact_debt = 0.; // work still to be returned, J
     EnergyLedger           energy;
+
+    // Slip of each candidate since it closed (m), its rate over the last step
+    // (m/s), and whether it slipped in that step.
+    std::vector<std::array<double, 2>> slips;
+    std::vector<double>                slip_rates;
+    std::vector<char>                  is_slipping;
 
     // How the step that led here was solved.
     unsigned int n_iterations = 0;
@@ -74,8 +85,10 @@ namespace Signorini
     {
       archive &time &step &displacement &velocity &acceleration;
       archive &internal_force &external_force     &support_force;
-      archive &normal_forces &gaps &contact_debt  &energy;
-      archive &n_iterations &residual             &kkt_residual;
+      archive &contact_forces.normal  &contact_forces.tangential;
+      archive &gaps &contact_debt     &energy;
+      archive &slips &slip_rates      &is_slipping;
+      archive &n_iterations &residual &kkt_residual;
     }
   };
 } // namespace Signorini

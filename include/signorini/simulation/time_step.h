@@ -64,7 +64,8 @@ namespace Signorini
     // The multipliers of an iterate and how they changed.
     struct Iterate
     {
-      std::vector<double> multipliers;
+      InterfaceForces     multipliers;
+      std::vector<double> coefficients; // of friction
       double              force_change; // over the largest force
       double              motion;       // largest of the correction, m
     };
@@ -72,8 +73,12 @@ namespace Signorini
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 
-    std::vector<SurfacePoint<dim>>
-    evaluate_contact(const State &state) const;
+    std::vector<ContactPoint<dim>>
+    evaluate_contact(const State &state, const State &old_state) const;
+
+    // mu of each candidate, from how it slipped in a step.
+    std::vector<double>
+    friction_coefficients(const State &state) const;
 
     // Accelerations and velocities that belong to the displacement of `state`.
     void
@@ -90,25 +95,32 @@ namespace Signorini
     imbalance(const State                          &old_state,
               const State                          &state,
               dealii::Vector<double>                residual,
-              const std::vector<SurfacePoint<dim>> &points,
-              const std::vector<double>            &multipliers) const;
+              const std::vector<ContactPoint<dim>> &points,
+              const InterfaceForces                &multipliers) const;
 
     bool
     is_solved(const State                          &state,
-              const std::vector<SurfacePoint<dim>> &points,
+              const std::vector<ContactPoint<dim>> &points,
               const Iterate                        &iterate) const;
 
     Iterate
     improve(const dealii::Vector<double>         &residual,
-            const std::vector<SurfacePoint<dim>> &points,
+            const std::vector<ContactPoint<dim>> &points,
             const Iterate                        &iterate,
             State                                &state);
 
     void
     finish(const State                          &old_state,
-           const std::vector<SurfacePoint<dim>> &points,
-           const std::vector<double>            &multipliers,
+           const std::vector<ContactPoint<dim>> &points,
+           const Iterate                        &iterate,
            State                                &state);
+
+    // Slip, its rate, and where there was any.
+    void
+    measure_slip(const State                          &old_state,
+                 const std::vector<ContactPoint<dim>> &points,
+                 const std::vector<double>            &coefficients,
+                 State                                &state) const;
 
     const SolidModel<dim>   &solid_;
     const ContactModel<dim> &contact_;

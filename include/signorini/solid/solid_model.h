@@ -3,6 +3,7 @@
 
 #include <signorini/solid/body.h>
 #include <signorini/solid/loads.h>
+#include <signorini/solid/lumped_unknown.h>
 #include <signorini/solid/mass_redistribution.h>
 #include <signorini/solid/supports.h>
 
@@ -43,7 +44,9 @@ namespace Signorini
       std::vector<std::vector<Node<dim>>> contact_nodes;
     };
 
-    explicit SolidModel(std::vector<Part> parts);
+    /** @param lumped unknowns, counted after those of the bodies */
+    explicit SolidModel(std::vector<Part>          parts,
+                        std::vector<LumpedUnknown> lumped = {});
 
     /**
      * Builds the sparsity pattern and assembles stiffness, mass and damping.
@@ -133,6 +136,18 @@ namespace Signorini
       return redistribution_;
     }
 
+    /**
+     * Springs that hold what a static run leaves free to move as a whole, N/m;
+     * empty if there is nothing. They belong to the effective stiffness only:
+     * their force is that of a correction and vanishes as the iteration
+     * converges (proximal point method), so that contact holds in the end.
+     */
+    const dealii::Vector<double> &
+    proximal_stiffness() const
+    {
+      return proximal_stiffness_;
+    }
+
     /** F_int(U), N. */
     dealii::Vector<double>
     internal_force(const dealii::Vector<double> &displacement) const;
@@ -165,8 +180,17 @@ namespace Signorini
     build_sparsity();
     void
     assemble_inertia(const Inertia &inertia);
+    void
+    hold_free_bodies();
+    unsigned int
+    first_lumped() const
+    {
+      return n_dofs() - lumped_.size();
+    }
 
     std::vector<Part>                 parts_;
+    std::vector<LumpedUnknown>        lumped_;
+    dealii::Vector<double>            proximal_stiffness_;
     dealii::AffineConstraints<double> constraints_;
     std::vector<bool>                 is_hanging_;
     std::vector<bool>                 is_fixed_;

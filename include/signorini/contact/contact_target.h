@@ -1,0 +1,98 @@
+#ifndef signorini_contact_contact_target_h
+#define signorini_contact_contact_target_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+  /** Where all unknowns are at a time. A view: both must outlive it. */
+  struct Configuration
+  {
+    const dealii::Vector<double> &displacement; // m
+    double                        time;         // s
+  };
+
+  /** A point on the contactor, looking for its target. */
+  template <int dim>
+  struct ContactorPoint
+  {
+    dealii::Point<dim>     position; // x, m
+    dealii::Tensor<1, dim> motion;   // x - x_n over the step, m
+
+    // Out of the contactor's body; zero: unknown, every side is taken.
+    dealii::Tensor<1, dim> normal;
+
+    // An unknown of the contactor point itself: what contains it is no target.
+    unsigned int unknown;
+  };
+
+  /**
+   * The point y of a target that is closest to a contactor point x, and how it
+   * depends on the unknowns q of the target.
+   */
+  template <int dim>
+  struct TargetPoint
+  {
+    double                                      gap;    // g = (x - y).n, m
+    dealii::Tensor<1, dim>                      normal; // n, out of the target
+    std::array<dealii::Tensor<1, dim>, dim - 1> tangents; // orthonormal
+    dealii::Tensor<1, dim>                      motion;   // y - y_n, m
+
+    /** dy/dq for each unknown q that carries the point. */
+    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>> carriers;
+
+    /**
+     * grad grad g over x and the unknowns of `carriers', in this order, 1/m.
+     * Empty: zero.
+     */
+    dealii::FullMatrix<double> curvature;
+  };
+
+  /** A target in a configuration, ready to be asked for closest points. */
+  template <int dim>
+  class PlacedTarget
+  {
+  public:
+    virtual ~PlacedTarget() = default;
+
+    /** None if the target is out of reach. */
+    virtual std::optional<TargetPoint<dim>>
+    closest(const ContactorPoint<dim> &point) const = 0;
+  };
+
+  /** The side of a contact pair that is interpolated. */
+  template <int dim>
+  class ContactTarget
+  {
+  public:
+    virtual ~ContactTarget() = default;
+
+    /** The name that follows `on' in the .prm. */
+    virtual std::string
+    name() const = 0;
+
+    /** True if gaps are linear in the unknowns. */
+    virtual bool
+    is_flat() const = 0;
+
+    /** The unknowns that a contact may push. */
+    virtual std::vector<unsigned int>
+    unknowns() const = 0;
+
+    /** The target now, knowing where it was at the start of the step. */
+    virtual std::unique_ptr<PlacedTarget<dim>>
+    place(const Configuration &now, const Configuration &before) const = 0;
+  };
+} // namespace Signorini
+
+#endif

@@ -1,0 +1,80 @@
+#ifndef signorini_contact_friction_law_h
+#define signorini_contact_friction_law_h
+
+#include <signorini/space_time_function.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace Signorini
+{
+  /**
+   * Coulomb's law with a bound on the shear stress,
+   *
+   *   |sigma_T| <= min(mu p, tau_max).
+   *
+   * mu is the static coefficient at a contact that sticks or just closed, the
+   * kinetic one, which may depend on the slip rate, at one that slips.
+   */
+  class FrictionLaw
+  {
+  public:
+    /** No friction. */
+    FrictionLaw() = default;
+
+    /** Declares its entries in the section that @p prm is in. */
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
+
+    /**
+     * Reads the entries from the section that @p prm is in.
+     * @param section for messages. @throws InputError.
+     */
+    static FrictionLaw
+    parse(const Constants                &constants,
+          const std::string              &section,
+          const dealii::ParameterHandler &prm);
+
+    bool
+    is_frictionless() const
+    {
+      return static_coefficient_ == 0. && !kinetic_coefficient_ &&
+             !coefficient_of_rate_;
+    }
+
+    /** mu of a contact that slips at a rate (m/s), or of one that sticks. */
+    double
+    coefficient(const bool sticks, const double slip_rate) const;
+
+    /** True if mu is the same in every state. */
+    bool
+    is_constant() const
+    {
+      return !kinetic_coefficient_ && !coefficient_of_rate_;
+    }
+
+    /** tau_max, Pa; infinite if there is none. */
+    double
+    largest_shear_stress() const
+    {
+      return largest_shear_stress_;
+    }
+
+  private:
+    double                static_coefficient_ = 0.;
+    std::optional<double> kinetic_coefficient_;
+
+    std::shared_ptr<dealii::FunctionParser<1>> coefficient_of_rate_; // mu(v)
+
+    double largest_shear_stress_ = std::numeric_limits<double>::infinity();
+  };
+} // namespace Signorini
+
+#endif

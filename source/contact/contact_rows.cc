@@ -1,0 +1,191 @@
+#include <signorini/contact/contact_rows.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // An entry of a hanging node goes to the nodes that it follows.
+    void
+    add_resolved(const AffineConstraints<double> &hanging_nodes,
+                 const unsigned int               unknown,
+                 const double                     coefficient,
+                 SparseRow                       &row)
+    {
+      if (coefficient == 0.)
+        return;
+      if (!hanging_nodes.is_constrained(unknown))
+        row.add(unknown, coefficient);
+      else
+        for (const auto &[master, factor] :
+             *hanging_nodes.get_constraint_entries(unknown))
+          row.add(master, coefficient * factor);
+    }
+
+    // grad grad g over the unknowns of the nodes, each with a share of x, and
+    // of the target.
+    template <int dim>
+    GapCurvature
+    gap_curvature(const PlacedPair<dim>  &placed,
+                  const WeightedNodes    &nodes,
+                  const TargetPoint<dim> &target,
+                  const double            weight)
+    {
+      const unsigned int n_unknowns =
+        dim * nodes.size() + target.carriers.size();
+      GapCurvature              curvature;
+      std::vector<unsigned int> source(n_unknowns); // row of target.curvature
+      std::vector<double>       share(n_unknowns, 1.);
+      for (unsigned int a = 0; a < nodes.size(); ++a)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            source[curvature.unknowns.size()] = c;
+            share[curvature.unknowns.size()]  = nodes[a].second;
+            curvature.unknowns.push_back(
+              placed.pair.surface.nodes[nodes[a].first].dofs[c]);
+          }
+      for (unsigned int j = 0; j < target.carriers.size(); ++j)
+        {
+          source[curvature.unknowns.size()] = dim + j;
+          curvature.unknowns.push_back(target.carriers[j].first);
+        }
+      curvature.matrix.reinit(n_unknowns, n_unknowns);
+      for (unsigned int i = 0; i < n_unknowns; ++i)
+        for (unsigned int j = 0; j < n_unknowns; ++j)
+          curvature.matrix(i, j) = weight * share[i] * share[j] *
+                                   target.curvature(source[i], source[j]);
+      return curvature;
+    }
+
+    template <int dim>
+    Point<dim>
+    weighted_mean(const WeightedNodes           &nodes,
+                  const std::vector<Point<dim>> &positions)
+    {
+      Point<dim> mean;
+      for (const auto &[node, weight] : nodes)
+        mean += weight * positions[node];
+      return mean;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PlacedPair<dim>::PlacedPair(const ContactPair<dim>          &pair,
+                              const Configuration             &now,
+                              const Configuration             &before,
+                              const AffineConstraints<double> &hanging_nodes)
+    : pair(pair)
+    , hanging_nodes(hanging_nodes)
+    , positions(node_positions(pair.surface.nodes, now.displacement))
+    , positions_before(node_positions(pair.surface.nodes, before.displacement))
+    , normals(node_normals(pair.surface, positions))
+    , target(pair.target->place(now, before))
+  {}
+
+
+
+  template <int dim>
+  std::optional<TargetPoint<dim>>
+  closest_to(const PlacedPair<dim> &placed, const WeightedNodes &nodes)
+  {
+    ContactorPoint<dim> point;
+    point.position = weighted_mean(nodes, placed.positions);
+    point.motion =
+      point.position - weighted_mean(nodes, placed.positions_before);
+    for (const auto &[node, weight] : nodes)
+      point.normal += weight * placed.normals[node];
+    if (point.normal.norm() > 0.)
+      point.normal /= point.normal.norm();
+    point.unknown = placed.pair.surface.nodes[nodes[0].first].dofs[0];
+    return placed.target->closest(point);
+  }
+
+
+
+  template <int dim>
+  void
+  add_to_candidate(const PlacedPair<dim>  &placed,
+                   const WeightedNodes    &nodes,
+                   const TargetPoint<dim> &target,
+                   const double            weight,
+                   ContactPoint<dim>      &candidate)
+  {
+    if (!candidate.is_in_reach())
+      candidate.gap = 0.;
+    candidate.gap += weight * target.gap;
+    candidate.normal += weight * target.normal;
+
+    const Tensor<1, dim> relative_motion =
+      weighted_mean(nodes, placed.positions) -
+      weighted_mean(nodes, placed.positions_before) - target.motion;
+    const auto add_row = [&](const Tensor<1, dim> &direction, SparseRow &row) {
+      for (const auto &[node, share] : nodes)
+        for (unsigned int c = 0; c < dim; ++c)
+          add_resolved(placed.hanging_nodes,
+                       placed.pair.surface.nodes[node].dofs[c],
+                       weight * share * direction[c],
+                       row);
+      for (const auto &[unknown, motion] : target.carriers)
+        add_resolved(placed.hanging_nodes,
+                     unknown,
+                     -weight * (direction * motion),
+                     row);
+    };
+    add_row(target.normal, candidate.gap_gradient);
+    for (unsigned int j = 0; j < dim - 1; ++j)
+      {
+        candidate.tangents[j] += weight * target.tangents[j];
+        candidate.slip[j] += weight * (relative_motion * target.tangents[j]);
+        add_row(target.tangents[j], candidate.slip_gradients[j]);
+      }
+    if (!target.curvature.empty())
+      candidate.curvatures.push_back(
+        gap_curvature(placed, nodes, target, weight));
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPoint<dim>>
+  node_to_surface_points(const PlacedPair<dim> &placed)
+  {
+    std::vector<ContactPoint<dim>> candidates;
+    for (const unsigned int node : placed.pair.node_of_candidate)
+      {
+        candidates.emplace_back();
+        const WeightedNodes nodes  = {{node, 1.}};
+        const auto          target = closest_to(placed, nodes);
+        if (target)
+          add_to_candidate(placed, nodes, *target, 1., candidates.back());
+      }
+    return candidates;
+  }
+
+
+
+  template struct PlacedPair<2>;
+  template struct PlacedPair<3>;
+  template std::optional<TargetPoint<2>>
+  closest_to(const PlacedPair<2> &, const WeightedNodes &);
+  template std::optional<TargetPoint<3>>
+  closest_to(const PlacedPair<3> &, const WeightedNodes &);
+  template void
+  add_to_candidate(const PlacedPair<2> &,
+                   const WeightedNodes &,
+                   const TargetPoint<2> &,
+                   const double,
+                   ContactPoint<2> &);
+  template void
+  add_to_candidate(const PlacedPair<3> &,
+                   const WeightedNodes &,
+                   const TargetPoint<3> &,
+                   const double,
+                   ContactPoint<3> &);
+  template std::vector<ContactPoint<2>>
+  node_to_surface_points(const PlacedPair<2> &);
+  template std::vector<ContactPoint<3>>
+  node_to_surface_points(const PlacedPair<3> &);
+} // namespace Signorini

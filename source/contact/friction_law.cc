@@ -1,0 +1,113 @@
+#include <signorini/contact/friction_law.h>
+#include <signorini/input_error.h>
+#include <signorini/named_list.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    parse_not_negative(const std::string &text, const std::string &entry)
+    {
+      const double value = parse_number(text, entry);
+      if (!(value >= 0.))
+        throw InputError(entry + ": found " + text +
+                         ", but it must not be negative.");
+      return value;
+    }
+
+    std::shared_ptr<FunctionParser<1>>
+    parse_rate_function(const std::string &text,
+                        const Constants   &constants,
+                        const std::string &entry)
+    {
+      auto function = std::make_shared<FunctionParser<1>>(1);
+      try
+        {
+          function->initialize("v", text, constants);
+          function->value(Point<1>(0.));
+        }
+      catch (const std::exception &)
+        {
+          throw InputError(entry + ": cannot read \"" + text +
+                           "\". Write a number, or an expression in v, the "
+                           "slip rate in m/s, such as 0.2 + 0.1*exp(-v/0.5).");
+        }
+      return function;
+    }
+  } // namespace
+
+
+
+  void
+  FrictionLaw::declare_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry("Friction coefficient",
+                      "0",
+                      Patterns::Anything(),
+                      "Coulomb's mu: friction is at most mu times the contact "
+                      "pressure. The static one, if there are two. Unit: 1.");
+    prm.declare_entry("Kinetic friction coefficient",
+                      "",
+                      Patterns::Anything(),
+                      "mu of a contact that slipped in the step before. A "
+                      "function of v, the slip rate in m/s, or a number. "
+                      "Empty: the same as Friction coefficient. Unit: 1.");
+    prm.declare_entry("Shear stress limit",
+                      "",
+                      Patterns::Anything(),
+                      "tau_max: friction is also at most this stress (Tresca's "
+                      "law where mu p is greater). Empty: none. Unit: Pa.");
+  }
+
+
+
+  FrictionLaw
+  FrictionLaw::parse(const Constants        &constants,
+                     const std::string      &section,
+                     const ParameterHandler &prm)
+  {
+    FrictionLaw law;
+    law.static_coefficient_ =
+      parse_not_negative(prm.get("Friction coefficient"),
+                         section + " / Friction coefficient");
+    if (!prm.get("Shear stress limit").empty())
+      law.largest_shear_stress_ =
+        parse_not_negative(prm.get("Shear stress limit"),
+                           section + " / Shear stress limit");
+
+    const std::string kinetic = prm.get("Kinetic friction coefficient");
+    if (kinetic.empty())
+      return law;
+    const std::string entry = section + " / Kinetic friction coefficient";
+    try
+      {
+        law.kinetic_coefficient_ = parse_number(kinetic, entry);
+      }
+    catch (const InputError &)
+      {
+        law.coefficient_of_rate_ =
+          parse_rate_function(kinetic, constants, entry);
+      }
+    if (law.coefficient(false, 0.) < 0.)
+      throw InputError(entry + ": found " + kinetic +
+                       ", but it must not be negative.");
+    return law;
+  }
+
+
+
+  double
+  FrictionLaw::coefficient(const bool sticks, const double slip_rate) const
+  {
+    if (sticks || is_constant())
+      return static_coefficient_;
+    if (kinetic_coefficient_)
+      return *kinetic_coefficient_;
+    return std::max(0., coefficient_of_rate_->value(Point<1>(slip_rate)));
+  }
+} // namespace Signorini

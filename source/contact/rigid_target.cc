@@ -1,0 +1,187 @@
+#include <signorini/contact/rigid_target.h>
+
+#include "tangents.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class PlacedRigidTarget : public PlacedTarget<dim>
+    {
+    public:
+      PlacedRigidTarget(const RigidBody<dim>      &body,
+                        const RigidPlacement<dim> &now,
+                        const RigidPlacement<dim> &before)
+        : body_(body)
+        , now_(now)
+        , before_(before)
+      {}
+
+      std::optional<TargetPoint<dim>>
+      closest(const ContactorPoint<dim> &point) const override;
+
+    private:
+      void
+      add_carriers(const Point<dim> &y, TargetPoint<dim> &target) const;
+
+      // grad grad g over x, u and, in 2-D, the arc of rotation.
+      FullMatrix<double>
+      curvature(const Point<dim>              &x,
+                const Tensor<1, dim>          &normal,
+                const SymmetricTensor<2, dim> &of_shape) const;
+
+      const RigidBody<dim>     &body_;
+      const RigidPlacement<dim> now_;
+      const RigidPlacement<dim> before_;
+    };
+
+
+
+    template <int dim>
+    std::optional<TargetPoint<dim>>
+    PlacedRigidTarget<dim>::closest(const ContactorPoint<dim> &point) const
+    {
+      const Point<dim>        X       = now_.to_body(point.position);
+      const SurfacePoint<dim> surface = body_.surface().closest(X);
+      const Point<dim>        Y       = X - surface.gap * surface.normal;
+      const Point<dim>        y       = now_.to_space(Y);
+
+      TargetPoint<dim> target;
+      target.gap      = surface.gap;
+      target.normal   = now_.rotation * surface.normal;
+      target.tangents = tangents_of(target.normal);
+      target.motion   = y - before_.to_space(Y);
+      if (body_.is_free())
+        add_carriers(y, target);
+      if (!body_.is_flat())
+        target.curvature =
+          curvature(point.position, target.normal, surface.curvature);
+      return target;
+    }
+
+
+
+    template <int dim>
+    void
+    PlacedRigidTarget<dim>::add_carriers(const Point<dim> &y,
+                                         TargetPoint<dim> &target) const
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          Tensor<1, dim> direction;
+          direction[c] = 1.;
+          target.carriers.emplace_back(body_.first_unknown() + c, direction);
+        }
+      if (dim == 2)
+        target.carriers.emplace_back(body_.first_unknown() + 2,
+                                     quarter_turn<dim>(y - now_.centre -
+                                                       now_.translation) /
+                                       body_.lever());
+    }
+
+
+
+    template <int dim>
+    FullMatrix<double>
+    PlacedRigidTarget<dim>::curvature(
+      const Point<dim>              &x,
+      const Tensor<1, dim>          &normal,
+      const SymmetricTensor<2, dim> &of_shape) const
+    {
+      const Tensor<2, dim> H =
+        now_.rotation * Tensor<2, dim>(of_shape) * transpose(now_.rotation);
+      const unsigned int n_carriers =
+        body_.is_free() ? RigidBody<dim>::n_components : 0;
+      const Tensor<1, dim> arm = x - now_.centre - now_.translation;
+
+      // 1. w.H w with w = sum_i columns[i] dq_i
+      std::vector<Tensor<1, dim>> columns(dim + n_carriers);
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          columns[c][c] = 1.;
+          if (n_carriers > 0)
+            columns[dim + c][c] = -1.;
+        }
+      const bool turns = dim == 2 && n_carriers > 0;
+      if (turns)
+        columns[2 * dim] = -quarter_turn<dim>(arm) / body_.lever();
+      FullMatrix<double> matrix(columns.size());
+      for (unsigned int i = 0; i < columns.size(); ++i)
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          matrix(i, j) = columns[i] * (H * columns[j]);
+
+      // 2. The normal turns with the body
+      if (turns)
+        {
+          const unsigned int t = 2 * dim;
+          for (unsigned int i = 0; i < t; ++i)
+            {
+              const double entry =
+                -(normal * quarter_turn<dim>(columns[i])) / body_.lever();
+              matrix(i, t) += entry;
+              matrix(t, i) += entry;
+            }
+          matrix(t, t) -= normal * arm / (body_.lever() * body_.lever());
+        }
+      return matrix;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RigidTarget<dim>::RigidTarget(const RigidBody<dim> &body)
+    : body_(body)
+  {}
+
+
+
+  template <int dim>
+  std::string
+  RigidTarget<dim>::name() const
+  {
+    return body_.name();
+  }
+
+
+
+  template <int dim>
+  bool
+  RigidTarget<dim>::is_flat() const
+  {
+    return body_.is_flat();
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  RigidTarget<dim>::unknowns() const
+  {
+    std::vector<unsigned int> list;
+    if (body_.is_free())
+      for (unsigned int c = 0; c < RigidBody<dim>::n_components; ++c)
+        list.push_back(body_.first_unknown() + c);
+    return list;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<PlacedTarget<dim>>
+  RigidTarget<dim>::place(const Configuration &now,
+                          const Configuration &before) const
+  {
+    return std::make_unique<PlacedRigidTarget<dim>>(body_,
+                                                    body_.placement(now),
+                                                    body_.placement(before));
+  }
+
+
+
+  template class RigidTarget<2>;
+  template class RigidTarget<3>;
+} // namespace Signorini
