@@ -1,0 +1,154 @@
+#include <signorini/contact/curve_weights.h>
+#include <signorini/input_error.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  CurveWeights::CurveWeights(const std::vector<Point<2>>   &reference,
+                             const bool                     is_closed,
+                             const std::array<CurveEnd, 2> &ends)
+    : n_nodes_(reference.size())
+    , is_closed_(is_closed)
+    , ends_(ends)
+  {
+    const unsigned int least = is_closed ? 3 : 2;
+    if (n_nodes_ < least)
+      throw InputError(std::string(is_closed ? "A closed" : "An open") +
+                       " curve needs " + std::to_string(least) +
+                       " nodes at least, found " + std::to_string(n_nodes_) +
+                       ".");
+    const unsigned int n_segments = is_closed ? n_nodes_ : n_nodes_ - 1;
+    for (unsigned int s = 0; s < n_segments; ++s)
+      if (reference[s].distance(reference[(s + 1) % n_nodes_]) == 0.)
+        {
+          std::ostringstream message;
+          message << "Two neighbouring nodes of a curve lie at the same place, "
+                  << "(" << reference[s] << ").";
+          throw InputError(message.str());
+        }
+    segments_.resize(n_segments);
+    is_corner_.assign(n_segments, false);
+  }
+
+
+
+  CurveWeights
+  CurveWeights::facets(const std::vector<Point<2>>   &reference,
+                       const bool                     is_closed,
+                       const std::array<CurveEnd, 2> &ends)
+  {
+    CurveWeights result(reference, is_closed, ends);
+    result.is_corner_.assign(result.n_segments(), true);
+    for (unsigned int s = 0; s < result.n_segments(); ++s)
+      {
+        Segment &segment = result.segments_[s];
+        segment.nodes    = {s, (s + 1) % result.n_nodes_};
+        for (unsigned int i = 0; i < 4; ++i)
+          for (const double weight : {1. - i / 3., i / 3.})
+            {
+              Tensor<1, 2> both;
+              both[0] = both[1] = weight;
+              segment.weights[i].push_back(both);
+            }
+      }
+    return result;
+  }
+
+
+
+  std::vector<unsigned int>
+  CurveWeights::segments_of(const unsigned int node) const
+  {
+    std::vector<unsigned int> result;
+    // A node is felt two segments away at most.
+    const unsigned int n      = n_segments();
+    const unsigned int window = std::min(n, 5u);
+    for (unsigned int i = 0; i < window; ++i)
+      {
+        const unsigned int s     = (node + n + i + n - 3) % n;
+        const auto        &nodes = segments_[s].nodes;
+        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          result.push_back(s);
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+
+
+  BezierSegment
+  CurveWeights::segment(const std::vector<Point<2>> &positions,
+                        const unsigned int           s) const
+  {
+    BezierSegment  result;
+    const Segment &segment = segments_[s];
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < segment.nodes.size(); ++j)
+        for (unsigned int c = 0; c < 2; ++c)
+          result.control[i][c] +=
+            segment.weights[i][j][c] * positions[segment.nodes[j]][c];
+    return result;
+  }
+
+
+
+  Curve
+  CurveWeights::curve(const std::vector<Point<2>> &positions) const
+  {
+    AssertDimension(positions.size(), n_nodes_);
+    std::vector<BezierSegment> segments;
+    segments.reserve(n_segments());
+    for (unsigned int s = 0; s < n_segments(); ++s)
+      segments.push_back(segment(positions, s));
+    return Curve(std::move(segments), is_corner_, is_closed_, ends_);
+  }
+
+
+
+  void
+  CurveWeights::update(const std::vector<Point<2>> &positions,
+                       Curve                       &curve) const
+  {
+    AssertDimension(positions.size(), n_nodes_);
+    AssertDimension(curve.n_segments(), n_segments());
+    for (unsigned int s = 0; s < n_segments(); ++s)
+      curve.set_segment(s, segment(positions, s));
+  }
+
+
+
+  void
+  CurveWeights::update(const std::vector<Point<2>>     &positions,
+                       const std::vector<unsigned int> &segments,
+                       Curve                           &curve) const
+  {
+    AssertDimension(positions.size(), n_nodes_);
+    for (const unsigned int s : segments)
+      curve.set_segment(s, segment(positions, s));
+  }
+
+
+
+  NodalWeights
+  CurveWeights::at(const CurveParameter &place) const
+  {
+    const Segment &segment     = segments_[place.segment];
+    const auto     values      = bernstein(place.xi);
+    const auto     derivatives = bernstein_derivative(place.xi);
+    NodalWeights   result;
+    result.nodes = segment.nodes;
+    result.phi.resize(segment.nodes.size());
+    result.dphi.resize(segment.nodes.size());
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int j = 0; j < segment.nodes.size(); ++j)
+        {
+          result.phi[j] += values[i] * segment.weights[i][j];
+          result.dphi[j] += derivatives[i] * segment.weights[i][j];
+        }
+    return result;
+  }
+} // namespace Signorini
