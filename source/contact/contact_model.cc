@@ -1,5 +1,6 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/contact_rows.h>
+#include <signorini/contact/mortar.h>
 
 #include <algorithm>
 #include <map>
@@ -91,6 +92,8 @@ namespace Signorini
     choose_candidates(is_fixed, hanging_nodes_, pair);
     pair.first_contact = n_contacts_;
     n_contacts_ += pair.contactor.nodes.size();
+    for (const auto &node : pair.contactor.nodes)
+      extent_ = std::max(extent_, node.point.norm());
     pairs_.push_back(std::move(pair));
   }
 
@@ -189,7 +192,9 @@ namespace Signorini
     for (const auto &pair : pairs_)
       {
         const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
-        auto                  of_pair = node_to_surface_points(placed);
+        auto of_pair = pair.constraint == ContactConstraint::mortar ?
+                         mortar_points(placed) :
+                         node_to_surface_points(placed);
         std::move(of_pair.begin(), of_pair.end(), std::back_inserter(points));
       }
     return points;

@@ -60,16 +60,56 @@ namespace Signorini
 
 
 
+  CurveWeights
+  CurveWeights::trace(const std::vector<Point<2>>   &reference,
+                      const bool                     is_closed,
+                      const unsigned int             degree,
+                      const std::array<CurveEnd, 2> &ends)
+  {
+    if (degree == 1)
+      return facets(reference, is_closed, ends);
+    Assert(degree == 2, ExcNotImplemented());
+    CurveWeights result(reference, is_closed, ends);
+    result.is_trace_ = true;
+    result.segments_.resize(reference.size() / 2);
+    result.is_corner_.assign(result.n_segments(), true);
+
+    // The parabola through x_0, x_1, x_2 has the control points x_0,
+    // 2 x_1 - (x_0 + x_2)/2, x_2; raised to degree three:
+    const std::array<std::array<double, 3>, 4> weights = {
+      {{{1., 0., 0.}},
+       {{0., 4. / 3., -1. / 3.}},
+       {{-1. / 3., 4. / 3., 0.}},
+       {{0., 0., 1.}}}};
+    for (unsigned int s = 0; s < result.n_segments(); ++s)
+      {
+        Segment &segment = result.segments_[s];
+        segment.nodes    = {2 * s, 2 * s + 1, (2 * s + 2) % result.n_nodes_};
+        for (unsigned int i = 0; i < 4; ++i)
+          for (const double weight : weights[i])
+            {
+              Tensor<1, 2> both;
+              both[0] = both[1] = weight;
+              segment.weights[i].push_back(both);
+            }
+      }
+    return result;
+  }
+
+
+
   std::vector<unsigned int>
   CurveWeights::segments_of(const unsigned int node) const
   {
     std::vector<unsigned int> result;
     // A node is felt two segments away at most.
     const unsigned int n      = n_segments();
-    const unsigned int window = std::min(n, 5u);
+    const unsigned int window = std::min(n, 6u);
+    const unsigned int degree =
+      segments_[0].nodes.size() == 3 && is_trace_ ? 2 : 1;
     for (unsigned int i = 0; i < window; ++i)
       {
-        const unsigned int s     = (node + n + i + n - 3) % n;
+        const unsigned int s     = (node / degree + n + i + n - 3) % n;
         const auto        &nodes = segments_[s].nodes;
         if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
           result.push_back(s);

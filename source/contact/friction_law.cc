@@ -44,46 +44,57 @@ namespace Signorini
 
 
   void
-  FrictionLaw::declare_parameters(ParameterHandler &prm)
+  FrictionLaw::declare_parameters(const bool in_pair, ParameterHandler &prm)
   {
-    prm.declare_entry("Friction coefficient",
-                      "0",
-                      Patterns::Anything(),
-                      "Coulomb's mu: friction is at most mu times the contact "
-                      "pressure. The static one, if there are two. Unit: 1.");
-    prm.declare_entry("Kinetic friction coefficient",
-                      "",
-                      Patterns::Anything(),
-                      "mu of a contact that slipped in the step before. A "
-                      "function of v, the slip rate in m/s, or a number. "
-                      "Empty: the same as Friction coefficient. Unit: 1.");
-    prm.declare_entry("Shear stress limit",
-                      "",
-                      Patterns::Anything(),
-                      "tau_max: friction is also at most this stress (Tresca's "
-                      "law where mu p is greater). Empty: none. Unit: Pa.");
+    const auto declare = [&](const std::string &name,
+                             const std::string &value,
+                             const std::string &text) {
+      prm.declare_entry(name,
+                        in_pair ? "" : value,
+                        Patterns::Anything(),
+                        in_pair ?
+                          "As in Contact, for this pair. Empty: as there." :
+                          text);
+    };
+    declare("Friction coefficient",
+            "0",
+            "Coulomb's mu: friction is at most mu times the contact pressure. "
+            "The static one, if there are two. Unit: 1.");
+    declare("Kinetic friction coefficient",
+            "",
+            "mu of a contact that slipped in the step before. A function of v, "
+            "the slip rate in m/s, or a number. Empty: the same as Friction "
+            "coefficient. Unit: 1.");
+    declare("Shear stress limit",
+            "",
+            "tau_max: friction is also at most this stress (Tresca's law where "
+            "mu p is greater). Empty: none. Unit: Pa.");
   }
 
 
 
   FrictionLaw
-  FrictionLaw::parse(const Constants        &constants,
-                     const std::string      &section,
-                     const ParameterHandler &prm)
+  FrictionLaw::parse(const Constants   &constants,
+                     const std::string &section,
+                     const std::function<std::string(const std::string &)> &get)
   {
     FrictionLaw law;
     law.static_coefficient_ =
-      parse_not_negative(prm.get("Friction coefficient"),
+      parse_not_negative(get("Friction coefficient"),
                          section + " / Friction coefficient");
-    if (!prm.get("Shear stress limit").empty())
+    if (!get("Shear stress limit").empty())
       law.largest_shear_stress_ =
-        parse_not_negative(prm.get("Shear stress limit"),
+        parse_not_negative(get("Shear stress limit"),
                            section + " / Shear stress limit");
 
-    const std::string kinetic = prm.get("Kinetic friction coefficient");
+    const std::string kinetic = get("Kinetic friction coefficient");
     if (kinetic.empty())
       return law;
     const std::string entry = section + " / Kinetic friction coefficient";
+    if (law.static_coefficient_ == 0.)
+      throw InputError(entry + ": found " + kinetic +
+                       ", but the Friction coefficient is zero. Give that of "
+                       "a contact at rest, too.");
     try
       {
         law.kinetic_coefficient_ = parse_number(kinetic, entry);
@@ -93,7 +104,7 @@ namespace Signorini
         law.coefficient_of_rate_ =
           parse_rate_function(kinetic, constants, entry);
       }
-    if (law.coefficient(false, 0.) < 0.)
+    if (law.kinetic_coefficient_ && *law.kinetic_coefficient_ < 0.)
       throw InputError(entry + ": found " + kinetic +
                        ", but it must not be negative.");
     return law;

@@ -1,3 +1,4 @@
+#include <signorini/contact/deforming_curve.h>
 #include <signorini/contact/rigid_target.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
@@ -14,32 +15,53 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    typename ContactModel<dim>::PairDescription
-    parse_pair(const std::string                                  &text,
-               const SolidModel<dim>                              &solid,
-               const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
-               const FrictionLaw                                  &friction)
+    const std::string entry = "Contact / Pairs";
+
+    // The two sides of a pair, and the word between them.
+    struct PairText
     {
-      const std::string entry = "Contact / Pairs";
-      const std::size_t on    = text.find(" on ");
-      const std::size_t dot   = text.find('.');
-      if (on == std::string::npos || dot == std::string::npos || dot > on)
-        throw InputError(entry + ": found \"" + text +
-                         "\". Write \"BODY.BOUNDARY on RIGID BODY\", for "
-                         "instance \"beam.bottom on floor\".");
-      const std::string contactor = Utilities::trim(text.substr(0, dot));
-      for (const auto &rigid_body : rigid_bodies)
-        if (rigid_body->name() == contactor)
-          throw InputError(entry + ": found \"" + text + "\", but \"" +
-                           contactor +
-                           "\" is a rigid body. It stands after \"on\": write "
-                           "\"BODY.BOUNDARY on " +
-                           contactor + "\".");
-      const Body<dim>  &body = solid.body(contactor, entry);
-      const std::string boundary =
-        Utilities::trim(text.substr(dot + 1, on - dot - 1));
-      const std::string target = Utilities::trim(text.substr(on + 4));
+      std::string text, contactor, word, target;
+    };
+
+    PairText
+    split_pair(const std::string &text)
+    {
+      for (const std::string word : {" on ", " with "})
+        {
+          const std::size_t at = text.find(word);
+          if (at == std::string::npos)
+            continue;
+          const PairText pair = {text,
+                                 Utilities::trim(text.substr(0, at)),
+                                 Utilities::trim(word),
+                                 Utilities::trim(
+                                   text.substr(at + word.size()))};
+          if (pair.contactor.find('.') != std::string::npos &&
+              !pair.target.empty())
+            return pair;
+        }
+      throw InputError(entry + ": found \"" + text +
+                       "\". Write \"BODY.BOUNDARY on RIGID BODY\", for "
+                       "instance \"beam.bottom on floor\", or \"BODY.BOUNDARY "
+                       "on BODY.BOUNDARY\".");
+    }
+
+    // One deformable side of a pair.
+    template <int dim>
+    struct Side
+    {
+      const Body<dim> *body;
+      std::string      boundary;
+    };
+
+    template <int dim>
+    Side<dim>
+    parse_side(const std::string &text, const SolidModel<dim> &solid)
+    {
+      const std::size_t dot = text.find('.');
+      const Body<dim>  &body =
+        solid.body(Utilities::trim(text.substr(0, dot)), entry);
+      const std::string boundary = Utilities::trim(text.substr(dot + 1));
       try
         {
           body.mesh().boundary(boundary);
@@ -48,34 +70,138 @@ namespace Signorini
         {
           throw InputError(entry + ": " + error.what());
         }
+      return {&body, boundary};
+    }
+
+    template <int dim>
+    std::unique_ptr<const ContactTarget<dim>>
+    deforming_target(const Side<dim>       &side,
+                     const SolidModel<dim> &solid,
+                     const PairParameters  &parameters)
+    {
+      if constexpr (dim == 2)
+        return std::make_unique<DeformingCurve>(*side.body,
+                                                side.boundary,
+                                                solid.is_fixed(),
+                                                parameters.surface);
+      else
+        throw InputError(entry + ": found \"" + side.body->name() + "." +
+                         side.boundary +
+                         "\" as a target, but in 3-D only a rigid body can be "
+                         "one. Make it a rigid body.");
+    }
+
+    // Automatic choice: the finer side carries the constraints; of two as
+    // fine, the first.
+    template <int dim>
+    bool
+    is_finer(const Side<dim> &a, const Side<dim> &b)
+    {
+      const auto mean_area = [](const Side<dim> &side) {
+        const auto surface = contactor_surface(*side.body, side.boundary);
+        double     sum     = 0.;
+        for (const double area : surface.areas)
+          sum += area;
+        return sum / surface.areas.size();
+      };
+      return mean_area(a) < mean_area(b) * (1. - 1e-6);
+    }
+
+    template <int dim>
+    const RigidBody<dim> *
+    find_rigid_body(
+      const std::string                                  &name,
+      const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies)
+    {
+      for (const auto &rigid_body : rigid_bodies)
+        if (rigid_body->name() == name)
+          return rigid_body.get();
+      return nullptr;
+    }
+
+    template <int dim>
+    [[noreturn]] void
+    throw_unknown_target(
+      const std::string                                  &target,
+      const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies)
+    {
       std::vector<std::string> names;
       for (const auto &rigid_body : rigid_bodies)
-        {
-          if (rigid_body->name() == target)
-            return {&body,
-                    boundary,
-                    std::make_unique<RigidTarget<dim>>(*rigid_body),
-                    friction};
-          names.push_back(rigid_body->name());
-        }
+        names.push_back(rigid_body->name());
       throw InputError(entry + ": there is no rigid body \"" + target + "\"." +
-                       did_you_mean(target, names) + " The rigid bodies are: " +
-                       comma_separated(names) + ".");
+                       did_you_mean(target, names) +
+                       " The rigid bodies are: " + comma_separated(names) +
+                       ". A deformable target is written BODY.BOUNDARY.");
+    }
+
+    template <int dim>
+    typename ContactModel<dim>::PairDescription
+    parse_pair(const PairText                                     &pair,
+               const SolidModel<dim>                              &solid,
+               const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
+               const PairParameters                               &parameters)
+    {
+      const std::string name =
+        pair.contactor.substr(0, pair.contactor.find('.'));
+      if (find_rigid_body(name, rigid_bodies))
+        throw InputError(entry + ": found \"" + pair.text + "\", but \"" +
+                         name +
+                         "\" is a rigid body. It stands after \"on\": write "
+                         "\"BODY.BOUNDARY on " +
+                         name + "\".");
+      Side<dim> contactor = parse_side(pair.contactor, solid);
+      std::unique_ptr<const ContactTarget<dim>> target;
+      const Body<dim>                          *target_body = nullptr;
+      if (pair.target.find('.') != std::string::npos)
+        {
+          Side<dim> other = parse_side(pair.target, solid);
+          if (pair.word == "with" && is_finer(other, contactor))
+            std::swap(contactor, other);
+          target      = deforming_target(other, solid, parameters);
+          target_body = other.body;
+        }
+      else
+        {
+          const auto *rigid_body = find_rigid_body(pair.target, rigid_bodies);
+          if (rigid_body == nullptr)
+            throw_unknown_target(pair.target, rigid_bodies);
+          target = std::make_unique<RigidTarget<dim>>(*rigid_body);
+        }
+      if (dim == 3 && parameters.constraint == ContactConstraint::mortar)
+        throw InputError("Contact / Constraint: mortar is for 2-D; in 3-D use "
+                         "node to surface.");
+      for (const Body<dim> *const body : {contactor.body, target_body})
+        if (body && body->scalar_fe().degree > 2 &&
+            parameters.constraint == ContactConstraint::mortar)
+          throw InputError(
+            "Contact / Constraint: mortar is for elements of degree 1 and 2, but body " +
+            body->name() + " has degree " +
+            std::to_string(body->scalar_fe().degree) + ".");
+      return {contactor.body,
+              contactor.boundary,
+              std::move(target),
+              parameters.friction,
+              parameters.constraint};
     }
   } // namespace
 
 
 
   void
-  ContactParameters::declare_parameters(ParameterHandler &prm)
+  ContactParameters::declare_parameters(const std::vector<std::string> &pairs,
+                                        ParameterHandler               &prm)
   {
     prm.enter_subsection("Contact");
     prm.declare_entry("Pairs",
                       "",
                       Patterns::Anything(),
-                      "What may touch: `BODY.BOUNDARY on RIGID BODY', "
-                      "separated by commas.");
-    FrictionLaw::declare_parameters(prm);
+                      "What may touch, separated by commas: `BODY.BOUNDARY on "
+                      "RIGID BODY', `BODY.BOUNDARY on BODY.BOUNDARY' (2-D; the "
+                      "first is the contactor, whose nodes do not penetrate "
+                      "the second, the target), or `... with ...': the finer "
+                      "one is the contactor. A boundary may touch itself. Each "
+                      "pair may have a section `Pair' with its text as here.");
+    PairParameters::declare_parameters(pairs, prm);
     AlgorithmParameters::declare_parameters(prm);
     prm.declare_entry("Relative penalty stiffness",
                       "0",
@@ -97,13 +223,16 @@ namespace Signorini
   ContactParameters
   ContactParameters::parse(const Constants &constants, ParameterHandler &prm)
   {
+    ContactParameters parameters;
     prm.enter_subsection("Contact");
-    const ContactParameters parameters = {
-      split_list(prm.get("Pairs"), ','),
-      AlgorithmParameters::parse(prm),
-      prm.get_double("Relative penalty stiffness"),
-      prm.get_double("Force tolerance"),
-      FrictionLaw::parse(constants, "Contact", prm)};
+    parameters.pairs     = split_list(prm.get("Pairs"), ',');
+    parameters.algorithm = AlgorithmParameters::parse(prm);
+    parameters.relative_penalty_stiffness =
+      prm.get_double("Relative penalty stiffness");
+    parameters.force_tolerance = prm.get_double("Force tolerance");
+    for (const auto &pair : parameters.pairs)
+      parameters.of_pairs.push_back(
+        PairParameters::parse(pair, constants, prm));
     prm.leave_subsection();
     return parameters;
   }
@@ -118,9 +247,11 @@ namespace Signorini
     const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies)
   {
     std::vector<typename ContactModel<dim>::PairDescription> pairs;
-    for (const auto &pair : parameters.pairs)
-      pairs.push_back(
-        parse_pair(pair, solid, rigid_bodies, parameters.friction));
+    for (unsigned int p = 0; p < parameters.pairs.size(); ++p)
+      pairs.push_back(parse_pair(split_pair(parameters.pairs[p]),
+                                 solid,
+                                 rigid_bodies,
+                                 parameters.of_pairs[p]));
     return std::make_unique<ContactModel<dim>>(std::move(pairs),
                                                solid.is_fixed(),
                                                solid.constraints());

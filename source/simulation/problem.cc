@@ -1,7 +1,7 @@
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
 #include <signorini/simulation/problem.h>
-#include <signorini/solid/rigid_motion.h>
+#include <signorini/simulation/unheld_bodies.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -140,7 +140,7 @@ namespace Signorini
         RigidBody<dim>::declare_parameters(prm);
         prm.leave_subsection();
       }
-    ContactParameters::declare_parameters(prm);
+    ContactParameters::declare_parameters(outline.pairs, prm);
     TimeParameters::declare_parameters(prm);
     OutputParameters<dim>::declare_parameters(prm);
   }
@@ -204,10 +204,6 @@ namespace Signorini
                            problem.initial_velocity);
         prm.leave_subsection();
       }
-    if (!problem.time.dynamic)
-      for (const auto &part : problem.solid->parts())
-        refuse_free_rigid_motion(*part.body, problem.solid->is_fixed());
-
     for (unsigned int l = 0; l < lumped.size(); ++l)
       problem.initial_velocity[n_dofs - lumped.size() + l] =
         lumped[l].initial_velocity;
@@ -220,6 +216,12 @@ namespace Signorini
     Vector<double> start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
     refuse_overclosure(*problem.contact, start);
+    if (!problem.time.dynamic)
+      refuse_unheld_bodies(*problem.solid,
+                           *problem.contact,
+                           problem.rigid_bodies,
+                           start,
+                           problem.time.end_time);
 
     // 3. Matrices, which have to know the nodes that lose their mass
     problem.solid->assemble({problem.time.dynamic,

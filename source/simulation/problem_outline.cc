@@ -65,6 +65,7 @@ namespace Signorini
     for (const auto &name : outline.bodies)
       outline.regions.push_back(
         split_list(file.get("Body " + name + "/Regions", ""), ','));
+    outline.pairs = split_list(file.get("Contact/Pairs", ""), ',');
     return outline;
   }
 } // namespace Signorini

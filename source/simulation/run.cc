@@ -185,7 +185,7 @@ namespace Signorini
   {
     ParameterHandler prm;
     declare_problem_parameters<2>(
-      {Formulation::plane_strain, {"beam"}, {"floor"}, {{}}}, prm);
+      {Formulation::plane_strain, {"beam"}, {"floor"}, {{}}, {}}, prm);
     prm.set("Bodies", std::string("beam"));
     prm.set("Rigid bodies", std::string("floor"));
     prm.print_parameters(stream, ParameterHandler::Text);

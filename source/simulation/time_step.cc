@@ -229,7 +229,9 @@ namespace Signorini
 
     // What the curvature of a target adds to a linearised gap is of second
     // order in the last motion.
-    const double tolerance = 1e-6 * iterate.motion + 1e-15;
+    const double tolerance = 1e-6 * iterate.motion +
+                             1e-10 * state.displacement.linfty_norm() +
+                             1e-15 * contact_.extent();
     for (unsigned int k = 0; k < points.size(); ++k)
       if (points[k].gap < -tolerance ||
           (iterate.multipliers.normal[k] > 0. && points[k].gap > tolerance))

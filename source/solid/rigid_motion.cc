@@ -1,7 +1,8 @@
-#include <signorini/input_error.h>
 #include <signorini/solid/rigid_motion.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
+
+#include <functional>
 
 namespace Signorini
 {
@@ -75,14 +76,53 @@ namespace Signorini
       return is_free;
     }
 
+    // Centre and size of a body, so that arms are of order one.
     template <int dim>
-    Tensor<1, 3>
-    arm(const Point<dim> &point, const Point<dim> &centre, const double scale)
+    class Frame
     {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = (point[d] - centre[d]) / scale;
-      return result;
+    public:
+      explicit Frame(const Body<dim> &body)
+      {
+        for (const auto &node : body.nodes())
+          centre_ += node.point / double(body.nodes().size());
+        for (const auto &node : body.nodes())
+          scale_ = std::max(scale_, node.point.distance(centre_));
+      }
+
+      Tensor<1, 3>
+      arm(const Point<dim> &point) const
+      {
+        Tensor<1, 3> result;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = (point[d] - centre_[d]) / scale_;
+        return result;
+      }
+
+    private:
+      Point<dim> centre_;
+      double     scale_ = 0.;
+    };
+
+    // The Gram matrix of the motions at the fixed unknowns: its kernel is what
+    // they do not prevent.
+    template <int dim>
+    FullMatrix<double>
+    gram_matrix(const Body<dim>                &body,
+                const std::vector<bool>        &is_fixed,
+                const Frame<dim>               &frame,
+                const std::vector<RigidMotion> &motions)
+    {
+      FullMatrix<double> gram(motions.size());
+      for (const auto &node : body.nodes())
+        for (unsigned int c = 0; c < dim; ++c)
+          if (is_fixed[node.dofs[c]])
+            for (unsigned int i = 0; i < motions.size(); ++i)
+              for (unsigned int j = 0; j < motions.size(); ++j)
+                {
+                  const auto r = frame.arm(node.point);
+                  gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
+                }
+      return gram;
     }
   } // namespace
 
@@ -92,26 +132,10 @@ namespace Signorini
   std::string
   free_rigid_motion(const Body<dim> &body, const std::vector<bool> &is_fixed)
   {
-    Point<dim> centre;
-    for (const auto &node : body.nodes())
-      centre += node.point / double(body.nodes().size());
-    double scale = 0.;
-    for (const auto &node : body.nodes())
-      scale = std::max(scale, node.point.distance(centre));
+    const auto               motions = rigid_motions(body.formulation());
+    const FullMatrix<double> gram =
+      gram_matrix(body, is_fixed, Frame<dim>(body), motions);
 
-    // The Gram matrix of the motions at the fixed unknowns: its kernel is what
-    // they do not prevent.
-    const auto         motions = rigid_motions(body.formulation());
-    FullMatrix<double> gram(motions.size());
-    for (const auto &node : body.nodes())
-      for (unsigned int c = 0; c < dim; ++c)
-        if (is_fixed[node.dofs[c]])
-          for (unsigned int i = 0; i < motions.size(); ++i)
-            for (unsigned int j = 0; j < motions.size(); ++j)
-              {
-                const auto r = arm(node.point, centre, scale);
-                gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
-              }
     // A rotation about a fixed point moves the centre, too: translations count
     // only when they are possible without any rotation.
     const unsigned int n_translations =
@@ -128,18 +152,36 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  refuse_free_rigid_motion(const Body<dim>         &body,
-                           const std::vector<bool> &is_fixed)
+  std::vector<RigidMode>
+  free_rigid_modes(const Body<dim> &body, const std::vector<bool> &is_fixed)
   {
-    const std::string motion = free_rigid_motion(body, is_fixed);
-    if (!motion.empty())
-      throw InputError("Body " + body.name() +
-                       ": a static run needs it to be held, but it can still "
-                       "move by " +
-                       motion +
-                       ". Fix it in its section Supports, or set Time / "
-                       "Analysis = dynamic.");
+    const Frame<dim>         frame(body);
+    const auto               motions = rigid_motions(body.formulation());
+    LAPACKFullMatrix<double> matrix(motions.size());
+    matrix = gram_matrix(body, is_fixed, frame, motions);
+    FullMatrix<double> vectors;
+    Vector<double>     values;
+    matrix.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
+
+    std::vector<RigidMode> modes;
+    for (unsigned int k = 0; k < values.size(); ++k)
+      {
+        RigidMode mode;
+        mode.motion.reinit(is_fixed.size());
+        for (unsigned int i = 0; i < motions.size(); ++i)
+          {
+            if (std::abs(vectors(i, k)) < 1e-6)
+              continue;
+            if (std::abs(vectors(i, k)) > 0.1)
+              mode.name += (mode.name.empty() ? "" : ", ") + motions[i].name;
+            for (const auto &node : body.nodes())
+              for (unsigned int c = 0; c < dim; ++c)
+                mode.motion[node.dofs[c]] +=
+                  vectors(i, k) * motions[i].value(frame.arm(node.point), c);
+          }
+        modes.push_back(mode);
+      }
+    return modes;
   }
 
 
@@ -148,8 +190,8 @@ namespace Signorini
   free_rigid_motion(const Body<2> &, const std::vector<bool> &);
   template std::string
   free_rigid_motion(const Body<3> &, const std::vector<bool> &);
-  template void
-  refuse_free_rigid_motion(const Body<2> &, const std::vector<bool> &);
-  template void
-  refuse_free_rigid_motion(const Body<3> &, const std::vector<bool> &);
+  template std::vector<RigidMode>
+  free_rigid_modes(const Body<2> &, const std::vector<bool> &);
+  template std::vector<RigidMode>
+  free_rigid_modes(const Body<3> &, const std::vector<bool> &);
 } // namespace Signorini

@@ -148,7 +148,7 @@ namespace Signorini
     double mean = 0.;
     for (unsigned int i = 0; i < first_lumped(); ++i)
       mean += stiffness_.diag_element(i) / first_lumped();
-    const double   softness = 1e-5 * mean;
+    const double   softness = 1e-3 * mean;
     Vector<double> springs(n_dofs());
     for (const auto &part : parts_)
       if (!free_rigid_motion(*part.body, is_fixed_).empty())

@@ -88,6 +88,13 @@ namespace Signorini
       return interface_dofs_;
     }
 
+    /** The largest coordinate of a candidate node, m: the scale of rounding. */
+    double
+    extent() const
+    {
+      return extent_;
+    }
+
     /** True if all targets are flat: then rows never change. */
     bool
     is_flat() const;
@@ -169,6 +176,7 @@ namespace Signorini
     const dealii::AffineConstraints<double> &hanging_nodes_;
     std::vector<ContactPair<dim>>            pairs_;
     unsigned int                             n_contacts_ = 0;
+    double                                   extent_     = 0.;
     std::vector<unsigned int>                interface_dofs_;
     std::vector<unsigned int> interface_index_; // of all unknowns
   };

@@ -43,6 +43,10 @@ namespace Signorini
     dealii::Tensor<1, dim>                      normal;
     std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
 
+    /** Adds up the entries of the same unknown. */
+    void
+    merge_rows();
+
     bool
     is_in_reach() const
     {

@@ -68,6 +68,13 @@ namespace Signorini
     /** None if the target is out of reach. */
     virtual std::optional<TargetPoint<dim>>
     closest(const ContactorPoint<dim> &point) const = 0;
+
+    /** Where the interpolation of the surface changes: its nodes, m. */
+    virtual std::vector<dealii::Point<dim>>
+    joints() const
+    {
+      return {};
+    }
   };
 
   /** The side of a contact pair that is interpolated. */

@@ -73,6 +73,19 @@ namespace Signorini
            const bool                           is_closed,
            const std::array<CurveEnd, 2>       &ends = {});
 
+    /**
+     * The boundary of the elements themselves: facets, or for degree 2 the
+     * parabola through three nodes, with a corner at each end of an element.
+     * With these weights a uniform pressure gives the nodal forces that the
+     * elements expect. The first node is the start of an element.
+     * @throws InputError as above.
+     */
+    static CurveWeights
+    trace(const std::vector<dealii::Point<2>> &reference,
+          const bool                           is_closed,
+          const unsigned int                   degree,
+          const std::array<CurveEnd, 2>       &ends = {});
+
     unsigned int
     n_nodes() const
     {
@@ -136,6 +149,7 @@ namespace Signorini
     std::vector<Segment>    segments_;
     std::vector<bool>       is_corner_;
     bool                    is_closed_ = false;
+    bool                    is_trace_  = false; // of elements of degree 2
     std::array<CurveEnd, 2> ends_;
   };
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/space_time_function.h>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -29,18 +30,22 @@ namespace Signorini
     /** No friction. */
     FrictionLaw() = default;
 
-    /** Declares its entries in the section that @p prm is in. */
+    /**
+     * Declares its entries in the section that @p prm is in.
+     * @param in_pair of one pair: empty entries are those of all pairs
+     */
     static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    declare_parameters(const bool in_pair, dealii::ParameterHandler &prm);
 
     /**
-     * Reads the entries from the section that @p prm is in.
-     * @param section for messages. @throws InputError.
+     * Reads the entries.
+     * @param section for messages
+     * @param get     gives the text of an entry. @throws InputError.
      */
     static FrictionLaw
-    parse(const Constants                &constants,
-          const std::string              &section,
-          const dealii::ParameterHandler &prm);
+    parse(const Constants                                       &constants,
+          const std::string                                     &section,
+          const std::function<std::string(const std::string &)> &get);
 
     bool
     is_frictionless() const

@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
+#include <signorini/simulation/pair_parameters.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/space_time_function.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
@@ -16,14 +17,16 @@ namespace Signorini
   /** The section `Contact`. */
   struct ContactParameters
   {
-    std::vector<std::string> pairs; // as written
-    AlgorithmParameters      algorithm;
-    double                   relative_penalty_stiffness; // of the body's, 1
-    double                   force_tolerance;            // 1
-    FrictionLaw              friction;
+    std::vector<std::string>    pairs; // as written
+    AlgorithmParameters         algorithm;
+    double                      relative_penalty_stiffness; // of the body's, 1
+    double                      force_tolerance;            // 1
+    std::vector<PairParameters> of_pairs;                   // one a pair
 
+    /** @param pairs as written, each of which may have a section. */
     static void
-    declare_parameters(dealii::ParameterHandler &prm);
+    declare_parameters(const std::vector<std::string> &pairs,
+                       dealii::ParameterHandler       &prm);
 
     /** @throws InputError. */
     static ContactParameters

@@ -19,6 +19,9 @@ namespace Signorini
     /** Of each body: the regions that have a material of their own. */
     std::vector<std::vector<std::string>> regions;
 
+    /** The contact pairs as written: each may have a section of its own. */
+    std::vector<std::string> pairs;
+
     /** Reads the entries of the top level. @throws InputError. */
     static ProblemOutline
     read(const ParameterFile &file);

@@ -17,11 +17,17 @@ namespace Signorini
   std::string
   free_rigid_motion(const Body<dim> &body, const std::vector<bool> &is_fixed);
 
-  /** @throws InputError if a static run has no unique answer. */
+  /** A motion of a body as a whole. */
+  struct RigidMode
+  {
+    std::string            name;   // in words
+    dealii::Vector<double> motion; // of all unknowns, 1
+  };
+
+  /** A basis of the rigid motions that the fixed unknowns leave free. */
   template <int dim>
-  void
-  refuse_free_rigid_motion(const Body<dim>         &body,
-                           const std::vector<bool> &is_fixed);
+  std::vector<RigidMode>
+  free_rigid_modes(const Body<dim> &body, const std::vector<bool> &is_fixed);
 } // namespace Signorini
 
 #endif

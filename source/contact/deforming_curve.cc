@@ -1,0 +1,431 @@
+#include <signorini/contact/deforming_curve.h>
+#include <signorini/contact/gap_derivatives.h>
+
+#include <map>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // The normal of the boundary beyond the end of a chain, whose last node is
+    // at `from`, walking on in the direction of the chain (or back, at its
+    // start).
+    Tensor<1, 2>
+    normal_beyond(const Point<2>    &from,
+                  const Point<2>    &beyond,
+                  const unsigned int which)
+    {
+      Tensor<1, 2> tangent = which == 1 ? beyond - from : from - beyond;
+      tangent /= tangent.norm();
+      return normal_of_tangent(tangent);
+    }
+
+    CurveEnd
+    curve_end(const BoundaryChain           &chain,
+              const unsigned int             which,
+              const std::vector<Point<2>>   &positions,
+              const std::optional<Point<2>> &beyond)
+    {
+      CurveEnd        end;
+      const ChainEnd &chain_end = chain.ends[which];
+      if (chain_end.mirrored_component)
+        {
+          end.kind               = CurveEndKind::symmetric;
+          end.mirrored_component = *chain_end.mirrored_component;
+        }
+      else if (beyond)
+        {
+          end.kind = CurveEndKind::corner;
+          end.normal =
+            normal_beyond(which == 0 ? positions.front() : positions.back(),
+                          *beyond,
+                          which);
+        }
+      return end;
+    }
+
+    std::array<CurveEnd, 2>
+    reference_ends(const BoundaryChain &chain)
+    {
+      std::vector<Point<2>> positions;
+      for (const auto &node : chain.nodes)
+        positions.push_back(node.point);
+      std::array<CurveEnd, 2> ends;
+      for (unsigned int which = 0; which < 2; ++which)
+        {
+          std::optional<Point<2>> beyond;
+          if (chain.ends[which].beyond)
+            beyond = chain.ends[which].beyond->point;
+          ends[which] = curve_end(chain, which, positions, beyond);
+        }
+      return ends;
+    }
+
+    // In parts of a segment: so near to a vertex a point is taken as at it.
+    constexpr double near_vertex = 0.05;
+
+    // A point beside an open end, by so little that an offset along the surface
+    // by strain or rounding explains it: the end's tangent goes on so far.
+    std::optional<CurveProjection>
+    project_beyond_ends(const Curve      &curve,
+                        const Point<2>   &x,
+                        const CurveQuery &query)
+    {
+      if (curve.is_closed())
+        return {};
+      for (const CurveParameter end :
+           {CurveParameter{0, 0.}, CurveParameter{curve.n_segments() - 1, 1.}})
+        {
+          CurveProjection projection = projection_at(curve, end, x);
+          const double    offset = (x - projection.point) * projection.tangent *
+                                (end.xi > 0. ? 1. : -1.);
+          if (offset < 0. ||
+              offset > near_vertex * curve.segment(end.segment).length() ||
+              projection.gap > query.search_distance ||
+              projection.gap < -query.penetration_limit ||
+              (query.contactor_normal &&
+               *query.contactor_normal * projection.normal >
+                 query.maximal_cosine))
+            continue;
+          projection.is_vertex = true;
+          return projection;
+        }
+      return {};
+    }
+
+    // The normals on both sides of a vertex, in the order of the curve.
+    std::array<Tensor<1, 2>, 2>
+    normal_cone(const Curve &curve, const CurveProjection &vertex)
+    {
+      const unsigned int s        = vertex.segment;
+      const bool         at_start = vertex.xi < 0.5;
+      const Tensor<1, 2> own      = curve.normal(vertex.place());
+      if (at_start)
+        return {{curve.has_previous(s) ? curve.normal({curve.previous(s), 1.}) :
+                                         curve.end(0).normal,
+                 own}};
+      return {{own,
+               curve.has_next(s) ? curve.normal({curve.next(s), 0.}) :
+                                   curve.end(1).normal}};
+    }
+
+    // At a vertex the direction from y to x is no normal when the two nearly
+    // coincide, as at the edges of two blocks of one width: an offset along the
+    // surface by rounding would turn it by 90 degrees. Within a small part of
+    // the segment the normal is the one of the vertex's cone that is most
+    // opposed to that of the contactor.
+    void
+    face_contactor(const Curve             &curve,
+                   const ContactorPoint<2> &point,
+                   CurveProjection         &vertex)
+    {
+      const double size = curve.segment(vertex.segment).length();
+      const auto   cone = normal_cone(curve, vertex);
+      if (point.normal.norm() == 0. || cone[0].norm() == 0. ||
+          cone[1].norm() == 0.)
+        return;
+      const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+        return a[0] * b[1] - a[1] * b[0];
+      };
+      // A reentrant corner has no cone.
+      const double orientation = cross(cone[0], cone[1]);
+      if (orientation <= 0.)
+        return;
+      const Tensor<1, 2> facing = -point.normal;
+      const Tensor<1, 2> normal =
+        cross(cone[0], facing) >= 0. && cross(facing, cone[1]) >= 0. ? facing :
+        facing * cone[0] > facing * cone[1]                          ? cone[0] :
+                                                                       cone[1];
+      const Tensor<1, 2> arm = point.position - vertex.point;
+      const double       gap = arm * normal;
+      if ((arm - gap * normal).norm() > near_vertex * size)
+        return;
+      vertex.normal    = normal;
+      vertex.tangent   = tangent_of_normal(normal);
+      vertex.gap       = gap;
+      vertex.curvature = 0.;
+    }
+
+    CurveWeights
+    curve_weights(const std::vector<Point<2>> &reference,
+                  const BoundaryChain         &chain,
+                  const unsigned int           degree,
+                  const SurfaceInterpolation  &interpolation)
+    {
+      const auto ends = reference_ends(chain);
+      switch (interpolation.kind)
+        {
+          case SurfaceInterpolation::Kind::facets:
+            return CurveWeights::facets(reference, chain.is_closed, ends);
+          case SurfaceInterpolation::Kind::trace:
+            return CurveWeights::trace(reference,
+                                       chain.is_closed,
+                                       degree,
+                                       ends);
+          default:
+            return CurveWeights::overhauser(reference,
+                                            chain.is_closed,
+                                            interpolation.knots,
+                                            interpolation.feature_angle,
+                                            ends);
+        }
+    }
+
+    // A chain in a configuration.
+    struct PlacedChain
+    {
+      PlacedChain(const DeformingCurve::Chain &chain,
+                  const Configuration         &now,
+                  const Configuration         &before)
+        : chain(chain)
+        , positions_before(
+            node_positions(chain.nodes.nodes, before.displacement))
+        , curve(chain.weights.curve(
+            node_positions(chain.nodes.nodes, now.displacement)))
+      {
+        if (chain.nodes.is_closed)
+          return;
+        const auto positions =
+          node_positions(chain.nodes.nodes, now.displacement);
+        for (unsigned int which = 0; which < 2; ++which)
+          if (const auto &beyond = chain.nodes.ends[which].beyond)
+            curve.set_end(which,
+                          curve_end(chain.nodes,
+                                    which,
+                                    positions,
+                                    node_positions<2>({*beyond},
+                                                      now.displacement)[0]));
+      }
+
+      const DeformingCurve::Chain &chain;
+      const std::vector<Point<2>>  positions_before;
+      Curve                        curve;
+    };
+
+
+
+    class PlacedCurve : public PlacedTarget<2>
+    {
+    public:
+      PlacedCurve(const std::vector<DeformingCurve::Chain> &chains,
+                  const Configuration                      &now,
+                  const Configuration                      &before,
+                  const double                              reach,
+                  const double                              penetration_limit)
+        : reach_(reach)
+        , penetration_limit_(penetration_limit)
+      {
+        chains_.reserve(chains.size()); // the searches keep references
+        for (const auto &chain : chains)
+          {
+            chains_.emplace_back(chain, now, before);
+            searches_.emplace_back(chains_.back().curve);
+            const auto &nodes = chain.nodes.nodes;
+            for (unsigned int n = 0; n < nodes.size(); ++n)
+              place_of_unknown_[nodes[n].dofs[0]] = {chains_.size() - 1, n};
+          }
+      }
+
+      std::optional<TargetPoint<2>>
+      closest(const ContactorPoint<2> &point) const override;
+
+      std::vector<Point<2>>
+      joints() const override;
+
+    private:
+      std::optional<CurveProjection>
+      closest_on(const unsigned int       chain,
+                 const ContactorPoint<2> &point) const;
+
+      CurveQuery
+      query(const ContactorPoint<2> &point, const unsigned int chain) const;
+
+      static TargetPoint<2>
+      target_point(const PlacedChain &chain, const CurveProjection &projection);
+
+      const double             reach_;
+      const double             penetration_limit_;
+      std::vector<PlacedChain> chains_;
+      std::vector<CurveSearch> searches_;
+      std::map<unsigned int, std::pair<unsigned int, unsigned int>>
+        place_of_unknown_;
+    };
+
+
+
+    std::optional<TargetPoint<2>>
+    PlacedCurve::closest(const ContactorPoint<2> &point) const
+    {
+      std::optional<CurveProjection> nearest;
+      unsigned int                   nearest_chain = 0;
+      for (unsigned int c = 0; c < chains_.size(); ++c)
+        {
+          const auto found = closest_on(c, point);
+          if (found &&
+              (!nearest || std::abs(found->gap) < std::abs(nearest->gap)))
+            {
+              nearest       = found;
+              nearest_chain = c;
+            }
+        }
+      if (!nearest)
+        return {};
+      return target_point(chains_[nearest_chain], *nearest);
+    }
+
+
+
+    std::optional<CurveProjection>
+    PlacedCurve::closest_on(const unsigned int       chain,
+                            const ContactorPoint<2> &point) const
+    {
+      const Curve     &curve    = chains_[chain].curve;
+      const CurveQuery question = query(point, chain);
+      auto found = searches_[chain].project(point.position, question);
+      if (found && !found->is_vertex)
+        return found;
+      if (const auto beside =
+            project_beyond_ends(curve, point.position, question))
+        return beside;
+      if (found)
+        face_contactor(curve, point, *found);
+      return found;
+    }
+
+
+
+    std::vector<Point<2>>
+    PlacedCurve::joints() const
+    {
+      std::vector<Point<2>> list;
+      for (const auto &chain : chains_)
+        for (unsigned int s = 0; s < chain.curve.n_segments(); ++s)
+          {
+            list.push_back(chain.curve.segment(s).control[0]);
+            list.push_back(chain.curve.segment(s).control[3]);
+          }
+      return list;
+    }
+
+
+
+    CurveQuery
+    PlacedCurve::query(const ContactorPoint<2> &point,
+                       const unsigned int       chain) const
+    {
+      CurveQuery query;
+      query.search_distance   = reach_;
+      query.penetration_limit = penetration_limit_;
+      if (point.normal.norm() > 0.)
+        query.contactor_normal = point.normal;
+
+      // In contact of a boundary with itself a node does not meet the segments
+      // that it carries.
+      const auto own = place_of_unknown_.find(point.unknown);
+      if (own != place_of_unknown_.end() && own->second.first == chain)
+        {
+          const auto segments =
+            chains_[chain].chain.weights.segments_of(own->second.second);
+          query.is_excluded = [segments](const unsigned int segment) {
+            return std::count(segments.begin(), segments.end(), segment) > 0;
+          };
+        }
+      return query;
+    }
+
+
+
+    TargetPoint<2>
+    PlacedCurve::target_point(const PlacedChain     &chain,
+                              const CurveProjection &projection)
+    {
+      const NodalWeights weights = chain.chain.weights.at(projection.place());
+      TargetPoint<2>     target;
+      target.gap      = projection.gap;
+      target.normal   = projection.normal;
+      target.tangents = {{tangent_of_normal(projection.normal)}};
+      target.motion   = projection.point - Point<2>();
+      for (unsigned int j = 0; j < weights.nodes.size(); ++j)
+        {
+          const unsigned int n = weights.nodes[j];
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              Tensor<1, 2> share;
+              share[c] = weights.phi[j][c];
+              target.motion[c] -= share[c] * chain.positions_before[n][c];
+              target.carriers.emplace_back(chain.chain.nodes.nodes[n].dofs[c],
+                                           share);
+            }
+        }
+      if (!projection.is_vertex)
+        target.curvature = differentiate_gap(projection, weights).hessian;
+      return target;
+    }
+  } // namespace
+
+
+
+  DeformingCurve::DeformingCurve(const Body<2>              &body,
+                                 const std::string          &boundary,
+                                 const std::vector<bool>    &is_fixed,
+                                 const SurfaceInterpolation &interpolation)
+    : name_(body.name() + "." + boundary)
+  {
+    double longest = 0.;
+    for (auto &nodes : boundary_chains(body, boundary, is_fixed))
+      {
+        std::vector<Point<2>> reference;
+        for (const auto &node : nodes.nodes)
+          reference.push_back(node.point);
+        for (unsigned int n = 1; n < reference.size(); ++n)
+          longest = std::max(longest, reference[n].distance(reference[n - 1]));
+        chains_.push_back({nodes,
+                           curve_weights(reference,
+                                         nodes,
+                                         body.scalar_fe().degree,
+                                         interpolation)});
+      }
+    reach_             = interpolation.reach * longest;
+    penetration_limit_ = interpolation.depth * longest;
+  }
+
+
+
+  std::string
+  DeformingCurve::name() const
+  {
+    return name_;
+  }
+
+
+
+  bool
+  DeformingCurve::is_flat() const
+  {
+    return false;
+  }
+
+
+
+  std::vector<unsigned int>
+  DeformingCurve::unknowns() const
+  {
+    std::vector<unsigned int> list;
+    for (const auto &chain : chains_)
+      for (const auto &node : chain.nodes.nodes)
+        list.insert(list.end(), node.dofs.begin(), node.dofs.end());
+    return list;
+  }
+
+
+
+  std::unique_ptr<PlacedTarget<2>>
+  DeformingCurve::place(const Configuration &now,
+                        const Configuration &before) const
+  {
+    return std::make_unique<PlacedCurve>(
+      chains_, now, before, reach_, penetration_limit_);
+  }
+} // namespace Signorini

@@ -1,0 +1,161 @@
+#include <signorini/input_error.h>
+#include <signorini/named_list.h>
+#include <signorini/simulation/pair_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    struct Entry
+    {
+      std::string name;
+      std::string default_value;
+      std::string pattern; // alternatives of a selection; empty: anything
+      std::string documentation;
+    };
+
+    const std::vector<Entry> &
+    entries()
+    {
+      static const std::vector<Entry> list = {
+        {"Constraint",
+         "node to surface",
+         "node to surface|mortar",
+         "node to surface: the gap of each contactor node is constrained. "
+         "mortar (2-D): gaps weighted by dual functions over the surface, so "
+         "that a uniform pressure passes through meshes that do not match."},
+        {"Surface",
+         "spline",
+         "spline|facets",
+         "A deforming target of node to surface: splines through its nodes, or "
+         "straight facets between them. mortar takes the boundary as the "
+         "elements have it."},
+        {"Knots",
+         "centripetal",
+         "centripetal|uniform",
+         "Parameters of the nodes of a spline, which decide how it swings "
+         "between nodes at unequal distances."},
+        {"Feature angle",
+         "40",
+         "",
+         "Where a deforming target turns by more than this between two nodes, "
+         "its spline has a corner. Unit: degrees."},
+        {"Search distance",
+         "10",
+         "",
+         "A contactor node sees a deforming target up to this distance, in "
+         "lengths of its longest piece. Unit: 1."},
+        {"Search depth",
+         "3",
+         "",
+         "A contactor node deeper inside of a deforming target does not "
+         "belong to that side of it; in lengths of its longest piece. Unit: "
+         "1."},
+        {"Overclosure",
+         "refuse",
+         "refuse|press fit|adjust",
+         "Contactor nodes inside of their target at t = 0. refuse: an error. "
+         "press fit: they are pushed out with strain until the Press fit end. "
+         "adjust: the mesh is moved onto the target, free of strain."},
+        {"Press fit end",
+         "1",
+         "",
+         "The overclosure of a press fit is resolved linearly from t = 0 to "
+         "this time. Unit: s."}};
+      return list;
+    }
+
+    void
+    declare(const Entry &entry, const bool in_pair, ParameterHandler &prm)
+    {
+      const std::string text =
+        in_pair ? "As in Contact, for this pair. Empty: as there." :
+                  entry.documentation;
+      const std::string value = in_pair ? "" : entry.default_value;
+      if (entry.pattern.empty())
+        prm.declare_entry(entry.name, value, Patterns::Anything(), text);
+      else
+        prm.declare_entry(entry.name,
+                          value,
+                          Patterns::Selection(entry.pattern +
+                                              (in_pair ? "|" : "")),
+                          text);
+    }
+
+    using Getter = std::function<std::string(const std::string &)>;
+
+    double
+    positive(const Getter      &get,
+             const std::string &name,
+             const std::string &section)
+    {
+      const double value = parse_number(get(name), section + " / " + name);
+      if (!(value > 0.))
+        throw InputError(section + " / " + name + ": found " + get(name) +
+                         ", but it must be greater than zero.");
+      return value;
+    }
+  } // namespace
+
+
+
+  void
+  PairParameters::declare_parameters(const std::vector<std::string> &pairs,
+                                     ParameterHandler               &prm)
+  {
+    FrictionLaw::declare_parameters(/*in_pair=*/false, prm);
+    for (const Entry &entry : entries())
+      declare(entry, false, prm);
+    for (const std::string &pair : pairs)
+      {
+        prm.enter_subsection("Pair " + pair);
+        FrictionLaw::declare_parameters(/*in_pair=*/true, prm);
+        for (const Entry &entry : entries())
+          declare(entry, true, prm);
+        prm.leave_subsection();
+      }
+  }
+
+
+
+  PairParameters
+  PairParameters::parse(const std::string &pair,
+                        const Constants   &constants,
+                        ParameterHandler  &prm)
+  {
+    const Getter get = [&](const std::string &name) {
+      prm.enter_subsection("Pair " + pair);
+      const std::string own = prm.get(name);
+      prm.leave_subsection();
+      return own.empty() ? prm.get(name) : own;
+    };
+    const std::string section = "Contact / Pair " + pair;
+    PairParameters    parameters;
+    parameters.friction   = FrictionLaw::parse(constants, section, get);
+    parameters.constraint = get("Constraint") == "mortar" ?
+                              ContactConstraint::mortar :
+                              ContactConstraint::node_to_surface;
+    if (parameters.constraint == ContactConstraint::mortar)
+      parameters.surface.kind = SurfaceInterpolation::Kind::trace;
+    else if (get("Surface") == "facets")
+      parameters.surface.kind = SurfaceInterpolation::Kind::facets;
+    parameters.surface.knots         = get("Knots") == "uniform" ?
+                                         CurveWeights::Knots::uniform :
+                                         CurveWeights::Knots::centripetal;
+    parameters.surface.feature_angle = positive(get, "Feature angle", section);
+    parameters.surface.reach    = positive(get, "Search distance", section);
+    parameters.surface.depth    = positive(get, "Search depth", section);
+    const std::string treatment = get("Overclosure");
+    parameters.overclosure = treatment == "press fit" ? Overclosure::press_fit :
+                             treatment == "adjust"    ? Overclosure::adjust :
+                                                        Overclosure::refuse;
+    parameters.press_fit_end = positive(get, "Press fit end", section);
+    return parameters;
+  }
+} // namespace Signorini
