@@ -26,6 +26,7 @@ namespace Signorini
     create_algorithm(AlgorithmParameters parameters, const double factor)
     {
       parameters.penalty_stiffness *= factor;
+      parameters.tangential_penalty_stiffness *= factor;
       return make_interface_algorithm(parameters);
     }
 

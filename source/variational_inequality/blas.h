@@ -88,6 +88,27 @@ namespace Signorini
               const Integer *lda,
               Integer       *info);
 
+      // A = P L U with row interchanges.
+      void
+      dgetrf_(const Integer *m,
+              const Integer *n,
+              double        *a,
+              const Integer *lda,
+              Integer       *ipiv,
+              Integer       *info);
+
+      // B <- op(A)^-1 B from the factors of dgetrf.
+      void
+      dgetrs_(const char    *trans,
+              const Integer *n,
+              const Integer *nrhs,
+              const double  *a,
+              const Integer *lda,
+              const Integer *ipiv,
+              double        *b,
+              const Integer *ldb,
+              Integer       *info);
+
       // P^T A P = L L^T with complete pivoting, A semidefinite.
       void
       dpstrf_(const char    *uplo,

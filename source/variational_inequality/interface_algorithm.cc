@@ -1,11 +1,13 @@
 #include <signorini/input_error.h>
+#include <signorini/variational_inequality/ando.h>
 #include <signorini/variational_inequality/augmented_lagrangian.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 #include <signorini/variational_inequality/penalty.h>
-#include <signorini/variational_inequality/quadratic_programme.h>
+#include <signorini/variational_inequality/semismooth_newton.h>
+#include <signorini/variational_inequality/two_step.h>
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace Signorini
 {
@@ -15,27 +17,43 @@ namespace Signorini
       std::unique_ptr<InterfaceAlgorithm> (*)(const AlgorithmParameters &);
 
     // The one list of algorithms, by their .prm names.
-    const std::map<std::string, Maker> &
+    const std::vector<std::pair<std::string, Maker>> &
     algorithms()
     {
-      static const std::map<std::string, Maker> list = {
+      static const std::vector<std::pair<std::string, Maker>> list = {
+        {"ando",
+         [](
+           const AlgorithmParameters &) -> std::unique_ptr<InterfaceAlgorithm> {
+           return std::make_unique<Ando>();
+         }},
+        {"two step",
+         [](const AlgorithmParameters &parameters)
+           -> std::unique_ptr<InterfaceAlgorithm> {
+           return std::make_unique<TwoStep>(
+             AlternationControl{parameters.regularisation_slip,
+                                parameters.force_tolerance,
+                                parameters.maximal_iterations});
+         }},
+        {"semismooth Newton",
+         [](
+           const AlgorithmParameters &) -> std::unique_ptr<InterfaceAlgorithm> {
+           return std::make_unique<SemismoothNewton>();
+         }},
+        {"penalty",
+         [](const AlgorithmParameters &parameters)
+           -> std::unique_ptr<InterfaceAlgorithm> {
+           return std::make_unique<Penalty>(
+             parameters.penalty_stiffness,
+             parameters.tangential_penalty_stiffness);
+         }},
         {"augmented Lagrangian",
          [](const AlgorithmParameters &parameters)
            -> std::unique_ptr<InterfaceAlgorithm> {
            return std::make_unique<AugmentedLagrangian>(
              parameters.penalty_stiffness,
              parameters.penetration_tolerance,
-             parameters.maximal_iterations);
-         }},
-        {"penalty",
-         [](const AlgorithmParameters &parameters)
-           -> std::unique_ptr<InterfaceAlgorithm> {
-           return std::make_unique<Penalty>(parameters.penalty_stiffness);
-         }},
-        {"quadratic programme",
-         [](
-           const AlgorithmParameters &) -> std::unique_ptr<InterfaceAlgorithm> {
-           return std::make_unique<QuadraticProgramme>();
+             parameters.maximal_iterations,
+             parameters.tangential_penalty_stiffness);
          }}};
       return list;
     }
@@ -67,6 +85,21 @@ namespace Signorini
 
 
 
+  void
+  refuse_three_dimensional_friction(const InterfaceProblem &problem,
+                                    const std::string      &name)
+  {
+    for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+      if (problem.contact(k).has_friction() &&
+          problem.contact(k).tangents.size() > 1)
+        throw InputError("Contact / Algorithm = " + name +
+                         ": it needs a slip with a sign, as in two dimensions, "
+                         "but there is friction in three. Use `semismooth "
+                         "Newton'.");
+  }
+
+
+
   std::string
   interface_algorithm_names()
   {
@@ -81,11 +114,11 @@ namespace Signorini
   std::unique_ptr<InterfaceAlgorithm>
   make_interface_algorithm(const AlgorithmParameters &parameters)
   {
-    const auto algorithm = algorithms().find(parameters.algorithm);
-    if (algorithm == algorithms().end())
-      throw InputError("Contact / Algorithm: found `" + parameters.algorithm +
-                       "', allowed are " + interface_algorithm_names() +
-                       ". Choose one of these.");
-    return algorithm->second(parameters);
+    for (const auto &[name, maker] : algorithms())
+      if (name == parameters.algorithm)
+        return maker(parameters);
+    throw InputError("Contact / Algorithm: found `" + parameters.algorithm +
+                     "', allowed are " + interface_algorithm_names() +
+                     ". Choose one of these.");
   }
 } // namespace Signorini

@@ -9,6 +9,7 @@ namespace Signorini
   {
     interface_stiffness = std::move(new_stiffness);
     responses.forget_all();
+    kept_compliance.clear();
     force_known             = false;
     reduced_force_known     = false;
     free_displacement_known = false;
@@ -46,10 +47,35 @@ namespace Signorini
   void
   InterfaceProblem::set_contacts(std::vector<InterfaceContact> new_contacts)
   {
-    responses.resize(new_contacts.size());
-    for (unsigned int k = 0; k < new_contacts.size(); ++k)
-      if (k >= contacts.size() || contacts[k].normal != new_contacts[k].normal)
-        responses.forget(k);
+    const auto row_of = [](const std::vector<InterfaceContact> &list,
+                           const unsigned int                   number) {
+      const InterfaceContact &contact   = list[number / 3];
+      const unsigned int      direction = number % 3;
+      return direction == 0 ? &contact.normal :
+             direction <= contact.tangents.size() ?
+                              &contact.tangents[direction - 1] :
+                              nullptr;
+    };
+    responses.resize(3 * new_contacts.size());
+    bool changed = new_contacts.size() < contacts.size();
+    for (unsigned int number = 0; number < 3 * new_contacts.size(); ++number)
+      {
+        const SparseRow *const new_row = row_of(new_contacts, number);
+        const SparseRow *const old_row =
+          number < 3 * contacts.size() ? row_of(contacts, number) : nullptr;
+        const bool same = old_row == nullptr || new_row == nullptr ?
+                            old_row == new_row :
+                            *old_row == *new_row;
+        if (same)
+          continue;
+        responses.forget(number);
+        changed = true;
+      }
+    for (unsigned int k = 0; k < new_contacts.size() && !changed; ++k)
+      changed = k < contacts.size() &&
+                contacts[k].has_friction() != new_contacts[k].has_friction();
+    if (changed)
+      kept_compliance.clear();
     contacts        = std::move(new_contacts);
     free_gaps_known = false;
   }
@@ -62,6 +88,16 @@ namespace Signorini
     AssertIndexRange(k, contacts.size());
     contacts[k].gap = gap;
     free_gaps_known = false;
+  }
+
+
+
+  void
+  InterfaceProblem::set_slip(const unsigned int           k,
+                             const std::array<double, 2> &slip)
+  {
+    AssertIndexRange(k, contacts.size());
+    contacts[k].slip = slip;
   }
 
 
@@ -120,25 +156,65 @@ namespace Signorini
 
 
   const Vector<double> &
-  InterfaceProblem::response(const unsigned int k) const
+  InterfaceProblem::row_response(const unsigned int number) const
   {
-    AssertIndexRange(k, contacts.size());
-    if (!responses.is_known(k))
-      prepare_responses({k});
-    return responses[k];
+    AssertIndexRange(number, 3 * contacts.size());
+    AssertIndexRange(number % 3, contacts[number / 3].tangents.size() + 1);
+    if (!responses.is_known(number))
+      responses.compute(interface_stiffness,
+                        [this](const unsigned int i) -> const SparseRow & {
+                          return row(i);
+                        },
+                        {number});
+    return responses[number];
   }
 
 
 
   void
-  InterfaceProblem::prepare_responses(
-    const std::vector<unsigned int> &wanted) const
+  InterfaceProblem::prepare_responses(const std::vector<unsigned int> &wanted,
+                                      const bool with_friction) const
   {
     responses.compute(
       interface_stiffness,
-      [this](const unsigned int k) -> const SparseRow & {
-        return contacts[k].normal;
-      },
-      wanted);
+      [this](const unsigned int i) -> const SparseRow & { return row(i); },
+      rows_of(wanted, with_friction));
+  }
+
+
+
+  std::vector<unsigned int>
+  InterfaceProblem::rows_of(const std::vector<unsigned int> &list,
+                            const bool with_friction) const
+  {
+    std::vector<unsigned int> numbers;
+    numbers.reserve(3 * list.size());
+    for (const unsigned int k : list)
+      {
+        numbers.push_back(row_number(k, 0));
+        if (with_friction && contacts[k].has_friction())
+          for (unsigned int j = 0; j < contacts[k].tangents.size(); ++j)
+            numbers.push_back(row_number(k, j + 1));
+      }
+    return numbers;
+  }
+
+
+
+  ComplianceMatrix &
+  InterfaceProblem::compliance_matrix(const std::vector<unsigned int> &list,
+                                      const bool with_friction) const
+  {
+    const std::vector<unsigned int> numbers = rows_of(list, with_friction);
+    if (!kept_compliance.holds(numbers))
+      {
+        prepare_responses(list, with_friction);
+        kept_compliance.set_rows(numbers,
+                                 [this](const unsigned int i,
+                                        const unsigned int j) {
+                                   return row(i).dot(responses[j]);
+                                 });
+      }
+    return kept_compliance;
   }
 } // namespace Signorini

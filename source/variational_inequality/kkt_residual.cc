@@ -38,8 +38,14 @@ namespace Signorini
       problem.stiffness().multiply(stiffness_force);
       Vector<double> contact_force(problem.size());
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
-        problem.contact(k).normal.add_to(contact_force,
-                                         solution.forces.normal[k]);
+        {
+          const InterfaceContact &contact = problem.contact(k);
+          contact.normal.add_to(contact_force, solution.forces.normal[k]);
+          if (k < solution.forces.tangential.size())
+            for (unsigned int j = 0; j < contact.tangents.size(); ++j)
+              contact.tangents[j].add_to(contact_force,
+                                         solution.forces.tangential[k][j]);
+        }
 
       const Vector<double> &force     = problem.force();
       double                unbalance = 0.;
@@ -66,13 +72,55 @@ namespace Signorini
       const Vector<double> &free = problem.free_displacement();
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         {
-          const SparseRow &normal = problem.contact(k).normal;
+          const InterfaceContact &contact = problem.contact(k);
+          if (contact.is_out_of_reach())
+            continue;
+          const bool closed  = gaps[k] <= 0. || solution.forces.normal[k] != 0.;
+          const auto add_row = [&](const SparseRow &row,
+                                   const double     constant) {
+            raise(residual.length_scale, row.absolute_dot(free));
+            raise(residual.length_scale,
+                  row.absolute_dot(solution.displacement));
+            if (closed)
+              raise(residual.length_scale, std::abs(constant));
+          };
           raise(residual.penetration, -gaps[k]);
-          raise(residual.length_scale, normal.absolute_dot(free));
-          raise(residual.length_scale,
-                normal.absolute_dot(solution.displacement));
-          if (gaps[k] <= 0. || solution.forces.normal[k] != 0.)
-            raise(residual.length_scale, std::abs(problem.contact(k).gap));
+          add_row(contact.normal, contact.gap);
+          if (contact.has_friction())
+            for (unsigned int j = 0; j < contact.tangents.size(); ++j)
+              add_row(contact.tangents[j], contact.slip[j]);
+        }
+    }
+
+    // 4. Coulomb's law.
+    void
+    measure_friction(const InterfaceProblem  &problem,
+                     const InterfaceSolution &solution,
+                     KKTResidual             &residual)
+    {
+      for (unsigned int k = 0; k < solution.forces.tangential.size(); ++k)
+        {
+          const InterfaceContact      &contact = problem.contact(k);
+          const std::array<double, 2> &tau     = solution.forces.tangential[k];
+          const double                 bound =
+            contact.friction_bound(solution.forces.normal[k]);
+          raise(residual.friction_excess, std::hypot(tau[0], tau[1]) - bound);
+          if (!contact.has_friction() || contact.is_out_of_reach())
+            continue;
+          const double          radius = quotient(bound, residual.force_scale);
+          std::array<double, 2> force = {{0., 0.}}, moved = {{0., 0.}};
+          for (unsigned int j = 0; j < contact.tangents.size(); ++j)
+            {
+              const double slip =
+                problem.slip_after(k, j, solution.displacement);
+              force[j] = quotient(tau[j], residual.force_scale);
+              moved[j] = force[j] + quotient(slip, residual.length_scale);
+            }
+          const double length = std::hypot(moved[0], moved[1]);
+          const double factor = length > radius ? radius / length : 1.;
+          raise(residual.friction,
+                std::hypot(force[0] - factor * moved[0],
+                           force[1] - factor * moved[1]));
         }
     }
   } // namespace
@@ -87,6 +135,8 @@ namespace Signorini
     raise(norm, quotient(penetration, length_scale));
     raise(norm, quotient(negative_force, force_scale));
     raise(norm, complementarity);
+    raise(norm, quotient(friction_excess, force_scale));
+    raise(norm, friction);
     return norm;
   }
 
@@ -98,6 +148,10 @@ namespace Signorini
   {
     AssertDimension(solution.displacement.size(), problem.size());
     AssertDimension(solution.forces.normal.size(), problem.n_contacts());
+    Assert(solution.forces.tangential.empty() ||
+             solution.forces.tangential.size() == problem.n_contacts(),
+           ExcDimensionMismatch(solution.forces.tangential.size(),
+                                problem.n_contacts()));
 
     KKTResidual residual;
     measure_stationarity(problem, solution, residual);
@@ -114,6 +168,7 @@ namespace Signorini
               std::min(quotient(solution.forces.normal[k],
                                 residual.force_scale),
                        quotient(gaps[k], residual.length_scale)));
+    measure_friction(problem, solution, residual);
     return residual;
   }
 } // namespace Signorini

@@ -15,14 +15,17 @@ BOOST_AUTO_TEST_CASE(chosen_by_name)
 {
   AlgorithmParameters parameters;
   parameters.penalty_stiffness = 1e9;
-  for (const std::string name :
-       {"quadratic programme", "penalty", "augmented Lagrangian"})
+  for (const std::string name : {"ando",
+                                 "two step",
+                                 "semismooth Newton",
+                                 "penalty",
+                                 "augmented Lagrangian"})
     {
       parameters.algorithm = name;
       const auto algorithm = make_interface_algorithm(parameters);
       BOOST_TEST(algorithm->name() == name);
       BOOST_TEST(algorithm->enforces_exactly() ==
-                 (name == "quadratic programme"));
+                 (name != "penalty" && name != "augmented Lagrangian"));
       BOOST_TEST(interface_algorithm_names().find(name) != std::string::npos);
     }
 
@@ -50,6 +53,10 @@ BOOST_AUTO_TEST_CASE(entries)
   BOOST_TEST(defaults.algorithm == AlgorithmParameters().algorithm);
   BOOST_TEST(defaults.penalty_stiffness ==
              AlgorithmParameters().penalty_stiffness);
+  BOOST_TEST(defaults.tangential_penalty_stiffness ==
+             AlgorithmParameters().tangential_penalty_stiffness);
+  BOOST_TEST(defaults.regularisation_slip ==
+             AlgorithmParameters().regularisation_slip);
   BOOST_TEST(defaults.penetration_tolerance ==
              AlgorithmParameters().penetration_tolerance);
   BOOST_TEST(defaults.maximal_iterations ==
@@ -57,11 +64,15 @@ BOOST_AUTO_TEST_CASE(entries)
 
   prm.parse_input_from_string("set Algorithm = augmented Lagrangian\n"
                               "set Penalty stiffness = 2.5e9\n"
+                              "set Tangential penalty stiffness = 3e9\n"
+                              "set Regularisation slip = 1e-12\n"
                               "set Penetration tolerance = 1e-7\n"
                               "set Maximal iterations = 12\n");
   const AlgorithmParameters parameters = AlgorithmParameters::parse(prm);
   BOOST_TEST(parameters.algorithm == "augmented Lagrangian");
   BOOST_TEST(parameters.penalty_stiffness == 2.5e9);
+  BOOST_TEST(parameters.tangential_penalty_stiffness == 3e9);
+  BOOST_TEST(parameters.regularisation_slip == 1e-12);
   BOOST_TEST(parameters.penetration_tolerance == 1e-7);
   BOOST_TEST(parameters.maximal_iterations == 12);
 }
@@ -76,8 +87,11 @@ BOOST_AUTO_TEST_CASE(open_contacts_need_no_algorithm)
     problem.set_gap(k, 1.);
   AlgorithmParameters parameters;
   parameters.penalty_stiffness = 1e9;
-  for (const std::string name :
-       {"quadratic programme", "penalty", "augmented Lagrangian"})
+  for (const std::string name : {"ando",
+                                 "two step",
+                                 "semismooth Newton",
+                                 "penalty",
+                                 "augmented Lagrangian"})
     {
       parameters.algorithm = name;
       const InterfaceSolution solution =

@@ -13,10 +13,18 @@ namespace Signorini
   /** Which algorithm solves the interface problems, and its numbers. */
   struct AlgorithmParameters
   {
-    std::string  algorithm             = "quadratic programme";
-    double       penalty_stiffness     = 0.;    // K_N, N/m
-    double       penetration_tolerance = 1e-10; // m
-    unsigned int maximal_iterations    = 1000;
+    std::string algorithm                    = "ando";
+    double      penalty_stiffness            = 0.;    // K_N, N/m
+    double      tangential_penalty_stiffness = 0.;    // K_T, N/m; 0: K_N
+    double      penetration_tolerance        = 1e-10; // m
+    double      regularisation_slip          = 0.;    // m; 0: automatic
+
+    // Change of the forces at which two step ends, 1. Far below the 0.01 % of
+    // [MC, sec. 5.2]: on the interface that costs next to nothing, and a time
+    // step asks for a residual of the order of 1e-9.
+    double force_tolerance = 1e-10;
+
+    unsigned int maximal_iterations = 1000;
 
     /** Declares the entries in the section that @p prm is in. */
     static void

@@ -44,6 +44,12 @@ namespace Signorini
                  const InterfaceForces  &starting_forces) const = 0;
   };
 
+  /** @throws InputError if a contact of @p problem has friction and two
+   * tangents, which the algorithm @p name does not know. */
+  void
+  refuse_three_dimensional_friction(const InterfaceProblem &problem,
+                                    const std::string      &name);
+
   /** The names of all algorithms, separated by `|'. */
   std::string
   interface_algorithm_names();

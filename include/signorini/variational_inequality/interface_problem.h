@@ -1,12 +1,14 @@
 #ifndef signorini_variational_inequality_interface_problem_h
 #define signorini_variational_inequality_interface_problem_h
 
+#include <signorini/variational_inequality/compliance_matrix.h>
 #include <signorini/variational_inequality/interface_stiffness.h>
 #include <signorini/variational_inequality/row_responses.h>
 #include <signorini/variational_inequality/sparse_row.h>
 
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -36,6 +38,23 @@ namespace Signorini
     has_friction() const
     {
       return !tangents.empty() && friction_coefficient > 0.;
+    }
+
+    /** Out of reach of its target: it stays open whatever happens. */
+    bool
+    is_out_of_reach() const
+    {
+      return normal.size() == 0;
+    }
+
+    /** f = min(mu lambda, largest friction) under the normal force lambda,
+     * N. */
+    double
+    friction_bound(const double normal_force) const
+    {
+      return has_friction() && normal_force > 0. ?
+               std::min(friction_coefficient * normal_force, largest_friction) :
+               0.;
     }
   };
 
@@ -104,6 +123,10 @@ namespace Signorini
     void
     set_gap(const unsigned int k, const double gap);
 
+    /** Changes a slip only. */
+    void
+    set_slip(const unsigned int k, const std::array<double, 2> &slip);
+
     /** n, the number of interface DoFs. */
     unsigned int
     size() const
@@ -149,20 +172,49 @@ namespace Signorini
       return contacts[k].gap - contacts[k].normal.dot(du);
     }
 
+    /** Slip of contact @p k along its tangent @p j after the displacement
+     * @p du, m. */
+    double
+    slip_after(const unsigned int            k,
+               const unsigned int            j,
+               const dealii::Vector<double> &du) const
+    {
+      return contacts[k].slip[j] + contacts[k].tangents[j].dot(du);
+    }
+
     /** S^-1 A_k^T, m/N: n numbers. A reference stays valid until the stiffness
      * or the contacts are set. */
     const dealii::Vector<double> &
-    response(const unsigned int k) const;
+    response(const unsigned int k) const
+    {
+      return row_response(row_number(k, 0));
+    }
 
-    /** Computes the missing responses of several contacts in one block. */
+    /** S^-1 T_kj^T, m/N, of the tangent @p j of contact @p k. */
+    const dealii::Vector<double> &
+    tangent_response(const unsigned int k, const unsigned int j) const
+    {
+      return row_response(row_number(k, j + 1));
+    }
+
+    /** Computes the missing responses of several contacts in one block: of
+     * their normals, and of their tangents @p with_friction. */
     void
-    prepare_responses(const std::vector<unsigned int> &wanted) const;
+    prepare_responses(const std::vector<unsigned int> &wanted,
+                      const bool with_friction = true) const;
 
-    /** Is the response of contact @p k at hand without computing? */
+    /** Is the response of the normal of contact @p k at hand without
+     * computing? */
     bool
     knows_response(const unsigned int k) const
     {
-      return responses.is_known(k);
+      return responses.is_known(row_number(k, 0));
+    }
+
+    bool
+    knows_tangent_response(const unsigned int k, const unsigned int j) const
+    {
+      return responses.is_known(row_number(k, j + 1));
     }
 
     /** A_j S^-1 A_k^T, m/N. */
@@ -172,7 +224,42 @@ namespace Signorini
       return contacts[j].normal.dot(response(k));
     }
 
+    /**
+     * The compliance b_i S^-1 b_j^T, m/N, between all rows b of the contacts
+     * @p list: contact by contact the normal and, @p with_friction, the
+     * tangents of those that have friction. Kept, with what was factorised of
+     * it, while the list, the rows and the stiffness are the same; a reference
+     * stays valid until another list is asked for or one of them is set.
+     */
+    ComplianceMatrix &
+    compliance_matrix(const std::vector<unsigned int> &list,
+                      const bool                       with_friction) const;
+
   private:
+    // A normal and two tangents for each contact, so that numbers do not
+    // depend on which of them exist.
+    static unsigned int
+    row_number(const unsigned int k, const unsigned int direction)
+    {
+      return 3 * k + direction;
+    }
+
+    const SparseRow &
+    row(const unsigned int number) const
+    {
+      const InterfaceContact &contact = contacts[number / 3];
+      return number % 3 == 0 ? contact.normal :
+                               contact.tangents[number % 3 - 1];
+    }
+
+    const dealii::Vector<double> &
+    row_response(const unsigned int number) const;
+
+    // The rows of the contacts @p list, as compliance_matrix() orders them.
+    std::vector<unsigned int>
+    rows_of(const std::vector<unsigned int> &list,
+            const bool                       with_friction) const;
+
     InterfaceStiffness            interface_stiffness;
     std::vector<InterfaceContact> contacts;
 
@@ -188,7 +275,8 @@ namespace Signorini
     mutable bool                free_gaps_known = false;
     mutable std::vector<double> gaps_without_contact;
 
-    mutable RowResponses responses;
+    mutable RowResponses     responses;
+    mutable ComplianceMatrix kept_compliance;
   };
 
   /** What an algorithm finds. */
@@ -197,8 +285,14 @@ namespace Signorini
     dealii::Vector<double> displacement; // du, m
     InterfaceForces        forces;
 
-    // Faces minimised on, or updates of the multipliers; 0 if all is open.
+    // Faces minimised on, Newton steps, or updates of the multipliers; 0 if
+    // all is open.
     unsigned int n_iterations = 0;
+
+    // How often the algorithm itself did not find the state and a globally
+    // convergent method took its place, and for which contacts.
+    unsigned int              n_fallbacks = 0;
+    std::vector<unsigned int> fallback_contacts;
   };
 } // namespace Signorini
 

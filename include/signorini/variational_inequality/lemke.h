@@ -1,0 +1,26 @@
+#ifndef signorini_variational_inequality_lemke_h
+#define signorini_variational_inequality_lemke_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * The linear complementarity problem w = q + M z, w >= 0, z >= 0, w z = 0 by
+   * Lemke's complementary pivoting with lexicographic ties [Cottle, Pang &
+   * Stone 1992, ch. 4.4]. Entries of M should be of the order of one. Finds a
+   * solution whenever M is copositive and z^T q >= 0 for every z of the
+   * homogeneous problem.
+   *
+   * @return z, to the rounding that pivoting gathers; nothing if it ends on a
+   *   ray.
+   */
+  std::optional<std::vector<double>>
+  solve_complementarity(const dealii::FullMatrix<double> &M,
+                        const std::vector<double>        &q);
+} // namespace Signorini
+
+#endif
