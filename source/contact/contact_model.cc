@@ -95,6 +95,7 @@ namespace Signorini
     for (const auto &node : pair.contactor.nodes)
       extent_ = std::max(extent_, node.point.norm());
     pairs_.push_back(std::move(pair));
+    allowances_.emplace_back();
   }
 
 
@@ -195,9 +196,39 @@ namespace Signorini
         auto of_pair = pair.constraint == ContactConstraint::mortar ?
                          mortar_points(placed) :
                          node_to_surface_points(placed);
+        add_allowance(pair, now.time, of_pair);
         std::move(of_pair.begin(), of_pair.end(), std::back_inserter(points));
       }
     return points;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::allow_overclosure(const ContactPair<dim>    &pair,
+                                       const std::vector<double> &depths,
+                                       const double               end_time)
+  {
+    AssertDimension(depths.size(), pair.contactor.nodes.size());
+    allowances_[&pair - pairs_.data()] = {depths, end_time};
+  }
+
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::add_allowance(const ContactPair<dim>         &pair,
+                                   const double                    time,
+                                   std::vector<ContactPoint<dim>> &points) const
+  {
+    const Allowance &allowance = allowances_[&pair - pairs_.data()];
+    // 1 - t / infinity is one.
+    const double share = 1. - time / allowance.end_time;
+    if (allowance.depths.empty() || share <= 0.)
+      return;
+    for (unsigned int n = 0; n < points.size(); ++n)
+      points[n].gap += share * allowance.depths[n];
   }
 
 

@@ -7,8 +7,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <sstream>
-
 namespace Signorini
 {
   using namespace dealii;
@@ -259,45 +257,6 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  refuse_overclosure(const ContactModel<dim> &contact,
-                     const Vector<double>    &displacement)
-  {
-    const auto points = contact.evaluate({displacement, 0.});
-    for (const auto &pair : contact.pairs())
-      {
-        double     smallest = 0., extent = 0.;
-        Point<dim> place;
-        for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-          {
-            const double gap   = points[pair.first_contact + n].gap;
-            const auto  &point = pair.contactor.nodes[n].point;
-            extent =
-              std::max(extent, point.distance(pair.contactor.nodes[0].point));
-            if (gap < smallest)
-              {
-                smallest = gap;
-                place    = point;
-              }
-          }
-        if (smallest >= -1e-10 * extent)
-          continue;
-        std::ostringstream message;
-        message << "Contact / Pairs: at t = 0 the node of body "
-                << pair.body->name() << " at (" << place << ") lies "
-                << -smallest << " m inside of \"" << pair.target->name()
-                << "\". Move one of them apart, or turn the normal (plane) "
-                   "or the Side (circle, sphere, cylinder) round.";
-        throw InputError(message.str());
-      }
-    const std::string held = contact.held_penetration({displacement, 0.});
-    if (!held.empty())
-      throw InputError("Contact / Pairs: " + held);
-  }
-
-
-
   template std::unique_ptr<ContactModel<2>>
   create_contact_model(const ContactParameters &,
                        const SolidModel<2> &,
@@ -306,8 +265,4 @@ namespace Signorini
   create_contact_model(const ContactParameters &,
                        const SolidModel<3> &,
                        const std::vector<std::unique_ptr<RigidBody<3>>> &);
-  template void
-  refuse_overclosure(const ContactModel<2> &, const Vector<double> &);
-  template void
-  refuse_overclosure(const ContactModel<3> &, const Vector<double> &);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
+#include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/unheld_bodies.h>
 
@@ -215,7 +216,9 @@ namespace Signorini
                                            problem.rigid_bodies);
     Vector<double> start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
-    refuse_overclosure(*problem.contact, start);
+    treat_overclosure(problem.contact_parameters.of_pairs,
+                      start,
+                      *problem.contact);
     if (!problem.time.dynamic)
       refuse_unheld_bodies(*problem.solid,
                            *problem.contact,

@@ -2,6 +2,7 @@
 #include <signorini/output/log.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/timings.h>
+#include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/parameter_file.h>
 #include <signorini/simulation/platform.h>
 #include <signorini/simulation/problem.h>
@@ -13,7 +14,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -34,16 +34,7 @@ namespace Signorini
         text << "body " << part.body->name() << ": "
              << part.body->mesh().triangulation->n_active_cells() << " cells, "
              << part.body->n_dofs() << " unknowns\n";
-      const auto points =
-        problem.contact->evaluate({problem.initial_displacement, 0.});
-      for (const auto &pair : problem.contact->pairs())
-        {
-          double smallest = std::numeric_limits<double>::max();
-          for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-            smallest = std::min(smallest, points[pair.first_contact + n].gap);
-          text << "contact " << pair.name << ": " << pair.contactor.nodes.size()
-               << " candidate nodes, smallest gap " << smallest << " m\n";
-        }
+      text << describe_pairs(*problem.contact, problem.initial_displacement);
       if (problem.time.dynamic)
         text << "time integration: alpha_B " << problem.time.scheme.alpha_B
              << ", alpha_H " << problem.time.scheme.alpha_H << ", beta "

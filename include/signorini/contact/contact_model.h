@@ -104,6 +104,16 @@ namespace Signorini
     is_frictionless() const;
 
     /**
+     * Lets contactor nodes be inside of their target by up to these depths (m)
+     * at t = 0, less and less until a time (s), and not at all from then on; or
+     * for ever if the time is infinite. Gaps count from the depth allowed.
+     */
+    void
+    allow_overclosure(const ContactPair<dim>    &pair,
+                      const std::vector<double> &depths,
+                      const double               end_time);
+
+    /**
      * What each candidate sees of its target.
      * @param before the start of the step, from where slip is measured
      */
@@ -162,6 +172,11 @@ namespace Signorini
     add_pair(PairDescription &&description, const std::vector<bool> &is_fixed);
 
     void
+    add_allowance(const ContactPair<dim>         &pair,
+                  const double                    time,
+                  std::vector<ContactPoint<dim>> &points) const;
+
+    void
     number_interface(const std::vector<bool> &is_fixed);
 
     // Calls f(k, node, pair) for every candidate.
@@ -175,9 +190,18 @@ namespace Signorini
 
     const dealii::AffineConstraints<double> &hanging_nodes_;
     std::vector<ContactPair<dim>>            pairs_;
-    unsigned int                             n_contacts_ = 0;
-    double                                   extent_     = 0.;
-    std::vector<unsigned int>                interface_dofs_;
+
+    // What a pair may be overclosed by.
+    struct Allowance
+    {
+      std::vector<double> depths; // m; empty: nothing
+      double              end_time = 0.;
+    };
+    std::vector<Allowance> allowances_; // one a pair
+
+    unsigned int              n_contacts_ = 0;
+    double                    extent_     = 0.;
+    std::vector<unsigned int> interface_dofs_;
     std::vector<unsigned int> interface_index_; // of all unknowns
   };
 } // namespace Signorini

@@ -43,12 +43,6 @@ namespace Signorini
     const ContactParameters                            &parameters,
     const SolidModel<dim>                              &solid,
     const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies);
-
-  /** @throws InputError if a node lies inside of its target at t = 0. */
-  template <int dim>
-  void
-  refuse_overclosure(const ContactModel<dim>      &contact,
-                     const dealii::Vector<double> &displacement);
 } // namespace Signorini
 
 #endif
