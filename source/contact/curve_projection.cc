@@ -7,9 +7,9 @@ namespace Signorini
 
   namespace
   {
-    // Below this angle (rad) a joint is no vertex: its sharp cone would
-    // otherwise pretend a huge curvature.
-    constexpr double least_turn = 1e-8;
+    // Below this angle (rad) a joint is no vertex: what rounding leaves of a
+    // smooth one would pretend a huge curvature.
+    constexpr double least_turn = 1e-6;
 
     // A normal cone: the tangents on both sides of a point of the curve.
     struct Cone
@@ -69,8 +69,7 @@ namespace Signorini
         arm.norm() + (before.control[3] - before.control[0]).norm();
       if (!holds(cone, arm, 1e-12 * size))
         return;
-      if (curve.is_corner_after(s) &&
-          (cone.before - cone.after).norm() > least_turn)
+      if ((cone.before - cone.after).norm() > least_turn)
         places.push_back(vertex_at(curve, {s, 1.}, x, cone));
       else
         places.push_back(projection_at(curve, {s, 1.}, x));

@@ -1,8 +1,7 @@
 #include <signorini/contact/curve_weights.h>
-#include <signorini/input_error.h>
+#include <signorini/contact/smooth_parts.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Signorini
 {
@@ -15,21 +14,8 @@ namespace Signorini
     , is_closed_(is_closed)
     , ends_(ends)
   {
-    const unsigned int least = is_closed ? 3 : 2;
-    if (n_nodes_ < least)
-      throw InputError(std::string(is_closed ? "A closed" : "An open") +
-                       " curve needs " + std::to_string(least) +
-                       " nodes at least, found " + std::to_string(n_nodes_) +
-                       ".");
+    check_polygon(reference, is_closed);
     const unsigned int n_segments = is_closed ? n_nodes_ : n_nodes_ - 1;
-    for (unsigned int s = 0; s < n_segments; ++s)
-      if (reference[s].distance(reference[(s + 1) % n_nodes_]) == 0.)
-        {
-          std::ostringstream message;
-          message << "Two neighbouring nodes of a curve lie at the same place, "
-                  << "(" << reference[s] << ").";
-          throw InputError(message.str());
-        }
     segments_.resize(n_segments);
     is_corner_.assign(n_segments, false);
   }

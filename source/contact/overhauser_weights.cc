@@ -1,6 +1,5 @@
 #include <signorini/contact/curve_weights.h>
-
-#include <deal.II/base/numbers.h>
+#include <signorini/contact/smooth_parts.h>
 
 #include <cmath>
 #include <map>
@@ -24,28 +23,14 @@ namespace Signorini
     void
     build(const double feature_angle)
     {
-      find_corners(feature_angle * numbers::PI / 180.);
-      const unsigned int n = result.n_segments();
-      // A closed curve is walked from a corner, if it has one.
-      unsigned int first = 0;
-      if (result.is_closed_)
-        {
-          while (first < n && !result.is_corner_[first])
-            ++first;
-          if (first == n)
-            return add_ring();
-          first = (first + 1) % n;
-        }
-      for (unsigned int walked = 0; walked < n;)
-        {
-          const unsigned int begin = (first + walked) % n;
-          unsigned int       count = 1;
-          while (walked + count < n &&
-                 !result.is_corner_[begin_of(first + walked + count - 1)])
-            ++count;
-          add_open_chain(begin, count);
-          walked += count;
-        }
+      result.is_corner_ =
+        corners_of_polygon(reference, result.is_closed_, feature_angle);
+      for (const auto &part :
+           smooth_parts(result.is_corner_, result.is_closed_))
+        if (part.is_ring)
+          add_ring();
+        else
+          add_open_chain(part.begin, part.n_segments);
     }
 
   private:
@@ -58,24 +43,6 @@ namespace Signorini
       Combination place;
       Point<2>    reference;
     };
-
-    unsigned int
-    begin_of(const unsigned int s) const
-    {
-      return s % result.n_segments();
-    }
-
-    void
-    find_corners(const double angle)
-    {
-      const unsigned int n = result.n_nodes_;
-      for (unsigned int s = 0; s < result.n_segments(); ++s)
-        if (result.is_closed_ || s + 1 < result.n_segments())
-          result.is_corner_[s] =
-            angle_between(reference[(s + 1) % n] - reference[s],
-                          reference[(s + 2) % n] - reference[(s + 1) % n]) >
-            angle;
-    }
 
     Link
     link(const unsigned int node) const
@@ -230,7 +197,7 @@ namespace Signorini
       for (unsigned int k = 0; k < links.size(); ++k)
         slopes[k] = slope(links, steps, k);
       for (unsigned int k = 0; k < count; ++k)
-        set_segment(begin_of(begin + k),
+        set_segment((begin + k) % result.n_segments(),
                     links[offset + k],
                     slopes[offset + k],
                     slopes[offset + k + 1],

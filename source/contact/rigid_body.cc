@@ -106,12 +106,11 @@ namespace Signorini
                             const unsigned int first_unknown,
                             ParameterHandler  &prm)
     : name_(name)
-    , surface_(create_rigid_surface<dim>(prm, "Rigid body " + name))
+    , surface_(create_rigid_surface<dim>(prm, "Rigid body " + name, directory))
     , motion_(parse_function("Motion", dim, constants, prm))
     , force_(parse_function("Force", dim, constants, prm))
     , first_unknown_(first_unknown)
   {
-    (void)directory;
     const std::string path = "Rigid body " + name + " / ";
     if (!prm.get("Centre of rotation").empty())
       centre_ = parse_point<dim>(prm.get("Centre of rotation"),

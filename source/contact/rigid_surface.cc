@@ -1,4 +1,5 @@
 #include <signorini/contact/plane.h>
+#include <signorini/contact/profile.h>
 #include <signorini/contact/rigid_surface.h>
 #include <signorini/contact/sphere.h>
 
@@ -37,12 +38,19 @@ namespace Signorini
     // The one list of rigid shapes, by their .prm names.
     template <int dim>
     std::map<std::string, Shape<dim>>
-    shapes()
+    shapes(const std::string &directory = "")
     {
       std::map<std::string, Shape<dim>> list = {
         {"plane", {&Plane<dim>::declare_parameters, &Plane<dim>::create}}};
-      if (dim == 2)
-        list["circle"] = round_shape<dim>("Circle");
+      if constexpr (dim == 2)
+        {
+          list["circle"]  = round_shape<dim>("Circle");
+          list["profile"] = {&Profile::declare_parameters,
+                             [directory](ParameterHandler  &prm,
+                                         const std::string &section) {
+                               return Profile::create(prm, section, directory);
+                             }};
+        }
       else
         {
           list["sphere"]   = round_shape<dim>("Sphere");
@@ -75,9 +83,11 @@ namespace Signorini
 
   template <int dim>
   std::unique_ptr<RigidSurface<dim>>
-  create_rigid_surface(ParameterHandler &prm, const std::string &section)
+  create_rigid_surface(ParameterHandler  &prm,
+                       const std::string &section,
+                       const std::string &directory)
   {
-    return shapes<dim>().at(prm.get("Shape")).create(prm, section);
+    return shapes<dim>(directory).at(prm.get("Shape")).create(prm, section);
   }
 
 
@@ -87,7 +97,11 @@ namespace Signorini
   template void
   declare_rigid_surface_parameters<3>(ParameterHandler &);
   template std::unique_ptr<RigidSurface<2>>
-  create_rigid_surface<2>(ParameterHandler &, const std::string &);
+  create_rigid_surface<2>(ParameterHandler &,
+                          const std::string &,
+                          const std::string &);
   template std::unique_ptr<RigidSurface<3>>
-  create_rigid_surface<3>(ParameterHandler &, const std::string &);
+  create_rigid_surface<3>(ParameterHandler &,
+                          const std::string &,
+                          const std::string &);
 } // namespace Signorini

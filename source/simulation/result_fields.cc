@@ -1,6 +1,8 @@
 #include <signorini/named_list.h>
 #include <signorini/simulation/result_fields.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 namespace Signorini
@@ -77,7 +79,8 @@ namespace Signorini
           list.push_back(prefix + name);
       }
     for (const auto &pair : problem_.contact->pairs())
-      for (const char *const name : {".pressure", ".gap"})
+      for (const char *const name :
+           {".pressure", ".gap", ".shear", ".slip", ".status"})
         list.push_back(pair.name + name);
     return list;
   }
@@ -145,7 +148,7 @@ namespace Signorini
     const auto points =
       problem_.contact->evaluate({state_->displacement, state_->time});
     SurfaceData<dim>            data;
-    std::vector<double>         gap, pressure, status;
+    std::vector<double>         gap, pressure, shear, slip, status;
     std::vector<Tensor<1, dim>> traction, normal, displacement;
     for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
       {
@@ -154,11 +157,25 @@ namespace Signorini
         const double       p =
           pair.contactor.pressure(n, state_->contact_forces.normal[k]);
         data.nodes.push_back(node.point);
-        gap.push_back(state_->gaps[k]);
+        // Out of reach there is no gap to show.
+        gap.push_back(std::isfinite(state_->gaps[k]) ?
+                        state_->gaps[k] :
+                        std::numeric_limits<float>::quiet_NaN());
         pressure.push_back(p);
-        status.push_back(state_->contact_forces.normal[k] > 0. ? 1. : 0.);
+        status.push_back(p <= 0. ? 0. : state_->is_slipping[k] ? 2. : 1.);
         normal.push_back(points[k].normal);
-        traction.push_back(p * points[k].normal);
+        Tensor<1, dim> t      = p * points[k].normal;
+        const auto    &forces = state_->contact_forces.tangential[k];
+        for (unsigned int j = 0; j < dim - 1; ++j)
+          t -= pair.contactor.pressure(n, forces[j]) * points[k].tangents[j];
+        traction.push_back(t);
+
+        // In 2-D along the tangent, in 3-D the size.
+        shear.push_back(pair.contactor.pressure(
+          n, dim == 2 ? -forces[0] : std::hypot(forces[0], forces[1])));
+        slip.push_back(dim == 2 ?
+                         state_->slips[k][0] :
+                         std::hypot(state_->slips[k][0], state_->slips[k][1]));
         Tensor<1, dim> u;
         for (unsigned int c = 0; c < dim; ++c)
           u[c] = state_->displacement[node.dofs[c]];
@@ -168,6 +185,8 @@ namespace Signorini
     data.faces         = pair.contactor.faces;
     data.scalar_fields = {{"gap", gap},
                           {"pressure", pressure},
+                          {"shear", shear},
+                          {"slip", slip},
                           {"status", status}};
     data.vector_fields = {{"displacement", displacement},
                           {"traction", traction},

@@ -1,6 +1,8 @@
 // What a step costs, as ratios of times measured in this one run. Prints, never
 // judges: a busy machine is no mistake of the program. Run it in Release:
 //   build/release/tests/performance/benchmark [number of threads]
+#include <signorini/contact/curve_search.h>
+#include <signorini/contact/curve_weights.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/simulation/parameter_file.h>
 #include <signorini/simulation/platform.h>
@@ -12,6 +14,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -213,6 +216,80 @@ namespace
     print("step without contact, refactorised", 1e3 * without, "ms");
     print("with / without contact (asked: < 1.15)", with / without, "");
   }
+
+
+
+  // A wavy ring of n nodes, and as many contactor points just outside of it:
+  // the tree is built and every point projected, from nothing and from the
+  // place of the last step.
+  struct SearchTimes
+  {
+    double tree, cold, warm; // s
+  };
+
+  SearchTimes
+  search_times(const unsigned int n)
+  {
+    std::vector<Point<2>> nodes, points;
+    const auto            at = [&](const double s, const double offset) {
+      const double angle  = 2. * numbers::PI * s / n;
+      const double radius = 1. + 0.1 * std::sin(7. * angle) + offset;
+      return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
+    };
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        nodes.push_back(at(i, 0.));
+        points.push_back(at(i + 0.3, 0.2 / n));
+      }
+    const CurveWeights weights = CurveWeights::overhauser(
+      nodes, true, CurveWeights::Knots::centripetal, 60.);
+    const Curve        curve = weights.curve(nodes);
+    CurveSearch        search(curve);
+    CurveQuery         query;
+    const unsigned int repetitions = 3 + 20000 / n;
+    query.search_distance          = 5. / n;
+    double      sum                = 0.;
+    SearchTimes times;
+    times.tree = least_seconds(repetitions, [&] { search.update(); });
+    times.cold = least_seconds(repetitions, [&] {
+      for (const auto &x : points)
+        sum += search.project(x, query)->gap;
+    });
+    times.warm = least_seconds(repetitions, [&] {
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          query.start = CurveParameter{i, 0.3};
+          sum += search.project(points[i], query)->gap;
+        }
+    });
+    if (!(sum > 0.))
+      std::cout << "The points are not outside.\n";
+    return times;
+  }
+
+
+
+  void
+  measure_search()
+  {
+    std::cout << "\nSearch of n points on a curve of n segments, per point\n"
+              << "      n     tree     cold     warm (us)   all, over n = 100"
+              << "   log n / log 100\n";
+    double first = 0.;
+    for (const unsigned int n : {100u, 1000u, 10000u, 100000u})
+      {
+        const SearchTimes times = search_times(n);
+        const double      all   = (times.tree + times.cold) / n;
+        if (n == 100)
+          first = all;
+        std::cout << std::setw(7) << n << std::fixed << std::setprecision(3)
+                  << std::setw(9) << 1e6 * times.tree / n << std::setw(9)
+                  << 1e6 * times.cold / n << std::setw(9)
+                  << 1e6 * times.warm / n << std::setw(20) << all / first
+                  << std::setw(18) << std::log(n) / std::log(100.)
+                  << std::defaultfloat << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -226,4 +303,5 @@ main(int argc, char **argv)
   std::cout << "Threads: " << n_threads << '\n';
   measure_linear_steps();
   measure_large_block();
+  measure_search();
 }

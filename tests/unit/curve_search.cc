@@ -1,4 +1,6 @@
+#include <signorini/contact/c2_spline.h>
 #include <signorini/contact/curve_search.h>
+#include <signorini/contact/outline.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,36 +15,51 @@ using Knots = CurveWeights::Knots;
 
 namespace
 {
-  // The distance from a curve by dense samples and golden sections around the
-  // best of them.
+  // The distance from a curve by samples, and golden sections around those
+  // that the least one does not exclude.
   double
   sampled_distance(const Curve &curve, const Point<2> &x)
   {
-    constexpr unsigned int n     = 60;
-    double                 least = 1e300;
+    constexpr unsigned int n = 24;
+    const auto distance      = [&](const unsigned int s, const double xi) {
+      return x.distance(curve.value({s, xi}));
+    };
+    std::vector<double> samples;
     for (unsigned int s = 0; s < curve.n_segments(); ++s)
+      for (unsigned int i = 0; i <= n; ++i)
+        samples.push_back(distance(s, i / double(n)));
+    double least = *std::min_element(samples.begin(), samples.end());
+    for (unsigned int k = 0; k < samples.size(); ++k)
       {
-        const auto distance = [&](const double xi) {
-          return x.distance(curve.value({s, xi}));
-        };
-        for (unsigned int i = 0; i <= n; ++i)
+        const unsigned int s = k / (n + 1), i = k % (n + 1);
+        const double       next = samples[i == n ? k : k + 1];
+        const double       last = samples[i == 0 ? k : k - 1];
+        if (samples[k] > next || samples[k] > last ||
+            samples[k] > least + std::abs(next - samples[k]) +
+                           std::abs(last - samples[k]) + 0.05)
+          continue;
+        double low  = std::max(0., (i - 1.) / n);
+        double high = std::min(1., (i + 1.) / n);
+        for (unsigned int step = 0; step < 50; ++step)
           {
-            const double here = distance(i / double(n));
-            if (here > least + curve.segment(s).length() / n)
-              continue;
-            double low  = std::max(0., (i - 1.) / n);
-            double high = std::min(1., (i + 1.) / n);
-            for (unsigned int step = 0; step < 60; ++step)
-              {
-                const double a = low + 0.382 * (high - low);
-                const double b = low + 0.618 * (high - low);
-                (distance(a) < distance(b) ? high : low) =
-                  distance(a) < distance(b) ? b : a;
-              }
-            least = std::min({least, here, distance(0.5 * (low + high))});
+            const double a         = low + 0.382 * (high - low);
+            const double b         = low + 0.618 * (high - low);
+            const bool   is_left   = distance(s, a) < distance(s, b);
+            (is_left ? high : low) = is_left ? b : a;
           }
+        least = std::min(least, distance(s, 0.5 * (low + high)));
       }
     return least;
+  }
+
+  // Every other node is on an arc between its neighbours.
+  Curve
+  arcs(const std::vector<Point<2>> &nodes, const bool is_closed)
+  {
+    Outline outline(nodes[0]);
+    for (unsigned int i = 1; i + 1 < nodes.size(); i += 2)
+      outline.arc_through(nodes[i], nodes[i + 1]);
+    return outline.curve(is_closed, 30.);
   }
 
   Curve
@@ -50,12 +67,16 @@ namespace
   {
     const bool is_closed = trial % 2 == 0;
     const auto nodes     = random.nodes(3 + trial % 11, is_closed);
-    switch (trial % 5)
+    switch (trial % 7)
       {
         case 0:
           return CurveWeights::facets(nodes, is_closed).curve(nodes);
         case 1:
+          return c2_spline(nodes, is_closed, trial % 3 ? 180. : 40.);
         case 2:
+          return arcs(nodes, is_closed);
+        case 3:
+        case 4:
           return CurveWeights::overhauser(nodes,
                                           is_closed,
                                           Knots::uniform,

@@ -40,10 +40,11 @@ namespace Signorini
    *
    * Inside of a segment (x - y).y' = 0, a polynomial of degree 5 all of whose
    * roots are found. A joint counts if the distance falls towards it on both
-   * sides. Then, if it is a corner, x lies in its normal cone: the projection
-   * is a vertex, and g = +-|x - y|, n = (x - y)/g, positive for x outside of a
-   * convex corner, negative for x inside of a reentrant one. With x at the
-   * vertex itself n is the middle of the cone.
+   * sides. Then, if it turns by more than 1e-6 rad, whether it is called a
+   * corner or not, x lies in its normal cone: the projection is a vertex, and g
+   * = +-|x - y|, n = (x - y)/g, positive for x outside of a convex corner,
+   * negative for x inside of a reentrant one. With x at the vertex itself n is
+   * the middle of the cone.
    *
    * At the end of an open curve there is a least distance for x beyond it
    *  - never if it is free, except by rounding (1e-6 of the chord);

@@ -54,13 +54,16 @@ namespace Signorini
 
   /**
    * Reads them.
-   * @param section the path of the current section, for messages
+   * @param section   the path of the current section, for messages
+   * @param directory where relative paths of files start; empty: the current
+   * one
    * @throws InputError.
    */
   template <int dim>
   std::unique_ptr<RigidSurface<dim>>
   create_rigid_surface(dealii::ParameterHandler &prm,
-                       const std::string        &section);
+                       const std::string        &section,
+                       const std::string        &directory = "");
 } // namespace Signorini
 
 #endif

@@ -17,7 +17,9 @@ namespace Signorini
   /**
    * The fields of a state: written for ParaView, and looked up by name for the
    * expected results (BODY.displacement_x, BODY.stress_xx, BODY.von_mises, and
-   * PAIR.pressure, PAIR.gap on contact surfaces).
+   * PAIR.pressure, gap, shear (Pa, on the contactor, along the
+   * target's tangent), slip (m, since it closed) and status (0 open, 1 stick,
+   * 2 slip) on contact surfaces).
    */
   template <int dim>
   class ResultFields : public FieldLookup
