@@ -142,10 +142,31 @@ namespace Signorini
     const auto points    = evaluate_contact(state, state);
     for (const auto &point : points)
       state.gaps.push_back(point.gap);
+    find_initial_slip(points, state);
     measure_support_forces(solid_, contact_, points, state);
     measure_energy(solid_, state);
     state.energy.initial = state.energy.kinetic + state.energy.stored;
     return state;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::find_initial_slip(
+    const std::vector<ContactPoint<dim>> &points,
+    State                                &state) const
+  {
+    const double rounding = 1e-10 * state.velocity.linfty_norm();
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (state.contact_forces.normal[k] > 0.)
+        {
+          double square = 0.;
+          for (const SparseRow &row : points[k].slip_gradients)
+            square += std::pow(row.dot(state.velocity), 2);
+          state.slip_rates[k]  = std::sqrt(square);
+          state.is_slipping[k] = state.slip_rates[k] > rounding;
+        }
   }
 
 

@@ -70,6 +70,11 @@ namespace Signorini
       double              motion;       // largest of the correction, m
     };
 
+    // Contacts that the initial velocity makes slip.
+    void
+    find_initial_slip(const std::vector<ContactPoint<dim>> &points,
+                      State                                &state) const;
+
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 
