@@ -31,7 +31,12 @@ namespace Signorini
   class CurveWeights
   {
   public:
-    /** Parameters of the nodes, from which the tangents are found. */
+    /**
+     * Parameters of the nodes, from which the tangents are found. On equal
+     * distances both are the same; where distances change abruptly from wide to
+     * narrow by a factor of 10 or more the uniform curve turns back, the
+     * centripetal one does not: that is the one to take.
+     */
     enum class Knots
     {
       uniform,    // steps of one: [MC, eq. 33], Catmull-Rom
