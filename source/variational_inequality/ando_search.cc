@@ -166,6 +166,18 @@ namespace Signorini
       return bounds;
     }
 
+    bool
+    has_force(const std::vector<double> &x)
+    {
+      return std::any_of(x.begin(), x.end(), [](const double force) {
+        return force != 0.;
+      });
+    }
+
+    // Linear systems that correct the state of a warm start before the planes
+    // are set up.
+    constexpr unsigned int most_corrections = 4;
+
     // Bounds that have not settled by then oscillate.
     constexpr unsigned int first_mean  = 4;
     constexpr unsigned int most_bounds = 40;
@@ -216,8 +228,9 @@ namespace Signorini
                      DenseFactor               &factor)
   {
     std::vector<double> x     = start, bounds;
-    CoulombSolution     exact = solve_coulomb_newton(system, x, factor, 1);
-    unsigned int        n_iterations = exact.n_iterations;
+    CoulombSolution     exact = solve_coulomb_newton(
+      system, x, factor, has_force(start) ? most_corrections : 1);
+    unsigned int n_iterations = exact.n_iterations;
     for (unsigned int step = 0; step < most_bounds && !exact.solved; ++step)
       {
         // 1. The bound of the last iterate, and its minimum. A bound that

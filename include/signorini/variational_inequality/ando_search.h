@@ -59,9 +59,10 @@ namespace Signorini
    * confirms the state, the law holds exactly; otherwise the next bound
    * follows.
    *
-   * The state of the start is tried first: in a time loop it is mostly that of
-   * the last step. If the bound does not settle, the fallback for Coulomb's law
-   * goes on from the last point.
+   * From the forces of a last step or iteration only few contacts change their
+   * state: up to four linear systems correct it, and only if none of them is
+   * confirmed the planes are set up. If the bound does not settle, the fallback
+   * for Coulomb's law goes on from the last point.
    */
   CoulombSolution
   solve_coulomb_ando(const CoulombSystem       &system,
