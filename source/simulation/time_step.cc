@@ -153,9 +153,8 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::find_initial_slip(
-    const std::vector<ContactPoint<dim>> &points,
-    State                                &state) const
+  TimeStep<dim>::find_initial_slip(const std::vector<ContactPoint<dim>> &points,
+                                   State &state) const
   {
     const double rounding = 1e-10 * state.velocity.linfty_norm();
     for (unsigned int k = 0; k < points.size(); ++k)
