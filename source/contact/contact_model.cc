@@ -49,6 +49,15 @@ namespace Signorini
             pair.contactor.faces.push_back(face);
         }
     }
+
+    // tau_max B of a candidate, N; infinite if its friction has no bound.
+    template <int dim>
+    double
+    largest_friction(const ContactPair<dim> &pair, const unsigned int n)
+    {
+      const double stress = pair.friction.largest_shear_stress();
+      return std::isfinite(stress) ? stress * pair.contactor.areas[n] : stress;
+    }
   } // namespace
 
 
@@ -327,11 +336,28 @@ namespace Signorini
               on_interface(point.slip_gradients[j], 1.));
           contact.slip                 = point.slip;
           contact.friction_coefficient = coefficients[k];
-          if (std::isfinite(pair.friction.largest_shear_stress()))
-            contact.largest_friction =
-              pair.friction.largest_shear_stress() * pair.contactor.areas[n];
+          contact.largest_friction     = largest_friction(pair, n);
         }
     return contacts;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactModel<dim>::friction_bounds(
+    const std::vector<double> &coefficients,
+    const std::vector<double> &normal_forces) const
+  {
+    std::vector<double> bounds(n_contacts_);
+    for (const auto &pair : pairs_)
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k = pair.first_contact + n;
+          bounds[k]            = std::min(coefficients[k] * normal_forces[k],
+                               largest_friction(pair, n));
+        }
+    return bounds;
   }
 
 

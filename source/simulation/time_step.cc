@@ -467,6 +467,8 @@ namespace Signorini
                               State                     &state) const
   {
     const double step_size = state.time - old_state.time;
+    const auto   bounds =
+      contact_.friction_bounds(coefficients, state.contact_forces.normal);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const double          normal     = state.contact_forces.normal[k];
@@ -482,8 +484,8 @@ namespace Signorini
 
         // Stick is exact, so that friction below its bound is the sign of it.
         state.is_slipping[k] =
-          normal > 0. && std::hypot(tangential[0], tangential[1]) >=
-                           (1. - 1e-9) * coefficients[k] * normal;
+          normal > 0. && bounds[k] > 0. &&
+          std::hypot(tangential[0], tangential[1]) >= (1. - 1e-9) * bounds[k];
       }
   }
 

@@ -151,6 +151,11 @@ namespace Signorini
     constraints(const std::vector<ContactPoint<dim>> &points,
                 const std::vector<double>            &coefficients) const;
 
+    /** min(mu_k lambda_k, tau_max B_k) of each candidate, N. */
+    std::vector<double>
+    friction_bounds(const std::vector<double> &coefficients,
+                    const std::vector<double> &normal_forces) const;
+
     /** forces += factor sum_k (lambda_k dg_k/dq - tau_k.ds_k/dq). */
     void
     add_contact_forces(const std::vector<ContactPoint<dim>> &points,
