@@ -66,11 +66,15 @@ namespace Signorini
     // In parts of a segment: so near to a vertex a point is taken as at it.
     constexpr double near_vertex = 0.05;
 
-    // A point beside an open end, by so little that an offset along the surface
-    // by strain or rounding explains it: the end's tangent goes on so far.
+    // The same for what is at an open end but for rounding.
+    constexpr double rounding_of_place = 1e-9;
+
+    // A point beside an open end, by less than an allowance in parts of the
+    // segment there: the end's tangent goes on so far.
     std::optional<CurveProjection>
     project_beyond_ends(const Curve      &curve,
                         const Point<2>   &x,
+                        const double      allowance,
                         const CurveQuery &query)
     {
       if (curve.is_closed())
@@ -82,7 +86,7 @@ namespace Signorini
           const double    offset = (x - projection.point) * projection.tangent *
                                 (end.xi > 0. ? 1. : -1.);
           if (offset < 0. ||
-              offset > near_vertex * curve.segment(end.segment).length() ||
+              offset > allowance * curve.segment(end.segment).length() ||
               projection.gap > query.search_distance ||
               projection.gap < -query.penetration_limit ||
               (query.contactor_normal &&
@@ -287,7 +291,10 @@ namespace Signorini
       if (found && !found->is_vertex)
         return found;
       if (const auto beside =
-            project_beyond_ends(curve, point.position, question))
+            project_beyond_ends(curve,
+                                point.position,
+                                point.is_node ? near_vertex : rounding_of_place,
+                                question))
         return beside;
       if (found)
         face_contactor(curve, point, *found);
