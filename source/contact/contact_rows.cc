@@ -23,8 +23,15 @@ namespace Signorini
           row.add(master, coefficient * factor);
     }
 
+    // A share of a row of the target's curvature that goes to an unknown.
+    struct CurvatureShare
+    {
+      unsigned int unknown, row;
+      double       factor;
+    };
+
     // grad grad g over the unknowns of the nodes, each with a share of x, and
-    // of the target.
+    // of the target; what belongs to a hanging node goes to its masters.
     template <int dim>
     GapCurvature
     gap_curvature(const PlacedPair<dim>  &placed,
@@ -32,29 +39,33 @@ namespace Signorini
                   const TargetPoint<dim> &target,
                   const double            weight)
     {
-      const unsigned int n_unknowns =
-        dim * nodes.size() + target.carriers.size();
-      GapCurvature              curvature;
-      std::vector<unsigned int> source(n_unknowns); // row of target.curvature
-      std::vector<double>       share(n_unknowns, 1.);
-      for (unsigned int a = 0; a < nodes.size(); ++a)
+      std::vector<CurvatureShare> shares;
+      const auto                  add =
+        [&](const unsigned int unknown, const unsigned int row, double factor) {
+          if (!placed.hanging_nodes.is_constrained(unknown))
+            shares.push_back({unknown, row, factor});
+          else
+            for (const auto &[master, share] :
+                 *placed.hanging_nodes.get_constraint_entries(unknown))
+              shares.push_back(
+                {static_cast<unsigned int>(master), row, factor * share});
+        };
+      for (const auto &[node, share] : nodes)
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            source[curvature.unknowns.size()] = c;
-            share[curvature.unknowns.size()]  = nodes[a].second;
-            curvature.unknowns.push_back(
-              placed.pair.surface.nodes[nodes[a].first].dofs[c]);
-          }
+          add(placed.pair.surface.nodes[node].dofs[c], c, share);
       for (unsigned int j = 0; j < target.carriers.size(); ++j)
+        add(target.carriers[j].first, dim + j, 1.);
+
+      GapCurvature curvature;
+      curvature.matrix.reinit(shares.size(), shares.size());
+      for (unsigned int i = 0; i < shares.size(); ++i)
         {
-          source[curvature.unknowns.size()] = dim + j;
-          curvature.unknowns.push_back(target.carriers[j].first);
+          curvature.unknowns.push_back(shares[i].unknown);
+          for (unsigned int j = 0; j < shares.size(); ++j)
+            curvature.matrix(i, j) =
+              weight * shares[i].factor * shares[j].factor *
+              target.curvature(shares[i].row, shares[j].row);
         }
-      curvature.matrix.reinit(n_unknowns, n_unknowns);
-      for (unsigned int i = 0; i < n_unknowns; ++i)
-        for (unsigned int j = 0; j < n_unknowns; ++j)
-          curvature.matrix(i, j) = weight * share[i] * share[j] *
-                                   target.curvature(source[i], source[j]);
       return curvature;
     }
 
@@ -100,6 +111,7 @@ namespace Signorini
     if (point.normal.norm() > 0.)
       point.normal /= point.normal.norm();
     point.unknown = placed.pair.surface.nodes[nodes[0].first].dofs[0];
+    point.is_node = nodes.size() == 1;
     return placed.target->closest(point);
   }
 

@@ -11,6 +11,9 @@ namespace Signorini
     // In parts of a segment: so near to a vertex a point is taken as at it.
     constexpr double near_vertex = 0.05;
 
+    // The same for what is at an open end but for rounding.
+    constexpr double rounding_of_place = 1e-9;
+
     // The normals on both sides of a vertex, in the order of the curve.
     std::array<Tensor<1, 2>, 2>
     normal_cone(const Curve &curve, const CurveProjection &vertex)
@@ -36,8 +39,10 @@ namespace Signorini
   std::optional<CurveProjection>
   project_beyond_ends(const Curve      &curve,
                       const Point<2>   &x,
-                      const CurveQuery &query)
+                      const CurveQuery &query,
+                      const bool        is_node)
   {
+    const double allowance = is_node ? near_vertex : rounding_of_place;
     if (curve.is_closed())
       return {};
     for (const CurveParameter end :
@@ -47,7 +52,7 @@ namespace Signorini
         const double    offset = (x - projection.point) * projection.tangent *
                               (end.xi > 0. ? 1. : -1.);
         if (offset < 0. ||
-            offset > near_vertex * curve.segment(end.segment).length() ||
+            offset > allowance * curve.segment(end.segment).length() ||
             projection.gap > query.search_distance ||
             projection.gap < -query.penetration_limit ||
             (query.contactor_normal &&

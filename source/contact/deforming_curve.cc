@@ -200,12 +200,15 @@ namespace Signorini
       const Curve     &curve    = chains_[chain].curve;
       const CurveQuery question = query(point, chain);
       auto found = searches_[chain].project(point.position, question);
-      if (found && round_joint(curve, *found))
+      if (found && point.is_node && round_joint(curve, *found))
         return found;
       if (found && !found->is_vertex)
         return found;
       if (const auto beside =
-            project_beyond_ends(curve, point.position, question))
+            project_beyond_ends(curve,
+                                point.position,
+                                point.is_node ? near_vertex : rounding_of_place,
+                                question))
         return beside;
       if (found)
         face_contactor(curve, point.position, point.normal, *found);

@@ -1,6 +1,7 @@
 #include <signorini/contact/friction_law.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
+#include <signorini/silenced_errors.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -25,7 +26,8 @@ namespace Signorini
                         const Constants   &constants,
                         const std::string &entry)
     {
-      auto function = std::make_shared<FunctionParser<1>>(1);
+      auto                 function = std::make_shared<FunctionParser<1>>(1);
+      const SilencedErrors silence;
       try
         {
           function->initialize("v", text, constants);

@@ -34,6 +34,11 @@ namespace Signorini
 
     // An unknown of the contactor point itself: what contains it is no target.
     unsigned int unknown;
+
+    // A node beside an open end of the target, by so little that strain or
+    // rounding explains it, still meets the target; a point between nodes does
+    // not, since it would make the area of contact larger.
+    bool is_node = true;
   };
 
   /**

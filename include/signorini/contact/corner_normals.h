@@ -12,11 +12,14 @@ namespace Signorini
    * The end of an open curve as the nearest place for a point beside it, by so
    * little (1/20 of a segment) that an offset along the surface by strain or
    * rounding explains it: the end's tangent goes on so far.
+   * @param is_node a contactor node; a point between nodes is beside the end or
+   * not, but for rounding
    */
   std::optional<CurveProjection>
   project_beyond_ends(const Curve            &curve,
                       const dealii::Point<2> &x,
-                      const CurveQuery       &query);
+                      const CurveQuery       &query,
+                      const bool              is_node);
 
   /**
    * At a vertex the direction from y to x is no normal when the two nearly

@@ -1,0 +1,195 @@
+#ifndef signorini_tests_contact_setup_h
+#define signorini_tests_contact_setup_h
+
+#include <signorini/contact/contact_model.h>
+#include <signorini/contact/deforming_curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "test_body.h"
+
+namespace Signorini
+{
+  /** The text of a section of a rectangular body. */
+  inline std::string
+  rectangle(const std::string &corners,
+            const std::string &cells,
+            const unsigned int degree = 1,
+            const std::string &more   = "")
+  {
+    return "set Mesh = rectangle\nsubsection Rectangle\n set Corners = " +
+           corners + "\n set Cells = " + cells +
+           "\nend\nset Element degree = " + std::to_string(degree) + "\n" +
+           more;
+  }
+
+  /** The same, turned by an angle in degrees about the origin. */
+  inline std::string
+  turned_rectangle(const std::string &corners,
+                   const std::string &cells,
+                   const unsigned int degree,
+                   const double       angle)
+  {
+    return rectangle(corners,
+                     cells,
+                     degree,
+                     "subsection Rectangle\n set Angle = " +
+                       std::to_string(angle) + "\nend\n");
+  }
+
+  /** The plane body "a", whose boundary touches that of the body "b". */
+  struct TwoBodies
+  {
+    SolidModel<2>   solid;
+    ContactModel<2> contact;
+
+    TwoBodies(const std::string           &contactor,
+              const std::string           &contactor_boundary,
+              const std::string           &target,
+              const std::string           &target_boundary,
+              const SurfaceInterpolation  &interpolation,
+              const ContactConstraint      constraint,
+              const std::array<double, 2> &motion_of_contactor = {{0., 0.}})
+      : solid(test_bodies<2>({contactor, target}, Formulation::plane_strain))
+      , contact(create(solid,
+                       contactor_boundary,
+                       target_boundary,
+                       interpolation,
+                       constraint))
+      , shift(solid.n_dofs())
+    {
+      for (const auto &node : solid.parts()[0].body->nodes())
+        for (unsigned int c = 0; c < 2; ++c)
+          shift[node.dofs[c]] = motion_of_contactor[c];
+    }
+
+    static ContactModel<2>
+    create(const SolidModel<2>        &solid,
+           const std::string          &contactor_boundary,
+           const std::string          &target_boundary,
+           const SurfaceInterpolation &interpolation,
+           const ContactConstraint     constraint)
+    {
+      std::vector<ContactModel<2>::PairDescription> pairs;
+      pairs.push_back(
+        {solid.parts()[0].body.get(),
+         contactor_boundary,
+         std::make_unique<DeformingCurve>(*solid.parts().back().body,
+                                          target_boundary,
+                                          solid.is_fixed(),
+                                          interpolation),
+         FrictionLaw(),
+         constraint});
+      return ContactModel<2>(std::move(pairs),
+                             solid.is_fixed(),
+                             solid.constraints());
+    }
+
+    dealii::Vector<double> shift; // of the contactor's body, m
+  };
+
+  /** Contact forces of given multipliers on all unknowns. */
+  template <int dim>
+  dealii::Vector<double>
+  contact_forces(const ContactModel<dim>              &contact,
+                 const std::vector<ContactPoint<dim>> &points,
+                 const InterfaceForces                &multipliers,
+                 const unsigned int                    n_unknowns)
+  {
+    dealii::Vector<double> forces(n_unknowns);
+    contact.add_contact_forces(points, multipliers, 1., forces);
+    return forces;
+  }
+
+  /**
+   * The largest |G - A du - gap(u + du)| for a motion du of this size of all
+   * unknowns of the interface, m.
+   */
+  template <int dim>
+  double
+  linearisation_error(const ContactModel<dim>                 &contact,
+                      const dealii::AffineConstraints<double> &hanging_nodes,
+                      const dealii::Vector<double>            &u,
+                      const double                             size)
+  {
+    const auto &dofs = contact.interface_dofs();
+    const auto  contacts =
+      contact.constraints(contact.evaluate({u, 0.}),
+                          std::vector<double>(contact.n_contacts(), 0.));
+    dealii::Vector<double> moved(u), motion(dofs.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        motion[i] = size * std::cos(1. + 3. * i);
+        moved[dofs[i]] += motion[i];
+      }
+    hanging_nodes.distribute(moved);
+    const auto after = contact.evaluate({moved, 0.});
+    double     error = 0.;
+    for (unsigned int k = 0; k < contacts.size(); ++k)
+      if (after[k].is_in_reach())
+        error =
+          std::max(error,
+                   std::abs(contacts[k].gap - contacts[k].normal.dot(motion) -
+                            after[k].gap));
+    return error;
+  }
+
+  /**
+   * The geometric stiffness against central differences of the contact forces
+   * at fixed multipliers: the largest difference in parts of the largest
+   * entry.
+   */
+  template <int dim>
+  double
+  stiffness_error(const ContactModel<dim>                 &contact,
+                  const dealii::AffineConstraints<double> &hanging_nodes,
+                  const dealii::Vector<double>            &u,
+                  const std::vector<double>               &multipliers)
+  {
+    const auto                &dofs = contact.interface_dofs();
+    const unsigned int         n    = dofs.size();
+    dealii::FullMatrix<double> stiffness(n, n);
+    contact.add_geometric_stiffness(contact.evaluate({u, 0.}),
+                                    multipliers,
+                                    stiffness);
+    const double h       = 1e-6;
+    double       largest = stiffness.linfty_norm() / n;
+    double       error   = 0.;
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const auto forces_at = [&](const double step) {
+          dealii::Vector<double> moved(u);
+          moved[dofs[j]] += step;
+          hanging_nodes.distribute(moved);
+          return contact_forces(contact,
+                                contact.evaluate({moved, 0.}),
+                                InterfaceForces(multipliers),
+                                u.size());
+        };
+        const auto plus = forces_at(h), minus = forces_at(-h);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double derivative =
+              (plus[dofs[i]] - minus[dofs[i]]) / (2. * h);
+            largest = std::max(largest, std::abs(derivative));
+            error   = std::max(error, std::abs(stiffness(i, j) + derivative));
+          }
+      }
+    return error / largest;
+  }
+
+  /** Forces that do not vanish and are not alike, N. */
+  inline std::vector<double>
+  some_multipliers(const unsigned int n)
+  {
+    std::vector<double> multipliers;
+    for (unsigned int k = 0; k < n; ++k)
+      multipliers.push_back(2. + std::sin(5. * k));
+    return multipliers;
+  }
+} // namespace Signorini
+
+#endif
