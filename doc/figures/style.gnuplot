@@ -1,11 +1,11 @@
 # What the figures have in common: colours, frames, output. A figure's script sets
-# `name' and `height' (and `width', of a PNG), loads this file, and wraps its plot in `draw' and `picture'.
+# `name', `height' and, if a PNG is not to be 1200 wide, `width', and loads this file.
 # format: svg or png; folder: where the runs are; both are given by scripts/figure.
 
 if (format eq 'svg') {
   set terminal svg size 1000,height font 'Helvetica,15' background 'white' enhanced
 } else {
-  if (!exists('width')) width = 1200
+  if (!exists('width')) { width = 1200 }
   set terminal pngcairo size width,width*height/1000 font sprintf('Helvetica,%g', 13.5*width/1200) background 'white' enhanced
 }
 set output name . '.' . format
