@@ -60,6 +60,13 @@ namespace Signorini
     State
     advance(const State &old_state, const double step_size);
 
+    /** That of the last iteration. */
+    const InterfaceProblem &
+    interface_problem() const
+    {
+      return system_.interface_problem();
+    }
+
   private:
     // The multipliers of an iterate and how they changed.
     struct Iterate
