@@ -1,11 +1,12 @@
 # What the figures have in common: colours, frames, output. A figure's script sets
-# `name', loads this file, and wraps its plot in `draw' and `picture'.
+# `name', `height' and, if a PNG is not to be 1200 wide, `width', and loads this file.
 # format: svg or png; folder: where the runs are; both are given by scripts/figure.
 
 if (format eq 'svg') {
   set terminal svg size 1000,height font 'Helvetica,15' background 'white' enhanced
 } else {
-  set terminal pngcairo size 1200,1.2*height font 'Helvetica,13.5' background 'white' enhanced
+  if (!exists('width')) { width = 1200 }
+  set terminal pngcairo size width,width*height/1000 font sprintf('Helvetica,%g', 13.5*width/1200) background 'white' enhanced
 }
 set output name . '.' . format
 
