@@ -11,7 +11,7 @@ fail() {
 }
 
 elements='deal\.II/(dofs|fe|grid|hp|matrix_free|meshworker|numerics)/'
-solvers='cholmod|umfpack|deal\.II/lac/(sparse_direct|solver_|precondition|trilinos)|Epetra|ml_'
+solvers='cholmod|umfpack|deal\.II/lac/(sparse_direct|solver_|precondition|trilinos)|Epetra|[</"]ml_'
 
 # room, what it may include of other rooms, library headers it must not include
 check() {

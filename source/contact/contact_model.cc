@@ -281,6 +281,39 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<unsigned int>
+  ContactModel<dim>::passed_targets(const Configuration       &now,
+                                    const Configuration       &before,
+                                    const std::vector<double> &start_gaps,
+                                    const std::vector<bool>   &closed) const
+  {
+    std::vector<unsigned int> passed;
+    for (const auto &pair : pairs_)
+      {
+        const Allowance &allowance = allowances_[&pair - pairs_.data()];
+        const auto       placed    = pair.target->place(now, before);
+        const auto       starts =
+          node_positions(pair.contactor.nodes, before.displacement);
+        const auto ends =
+          node_positions(pair.contactor.nodes, now.displacement);
+        for (unsigned int n = 0; n < starts.size(); ++n)
+          {
+            const unsigned int k = pair.first_contact + n;
+            if (!closed[k] && start_gaps[k] > 0. &&
+                (allowance.depths.empty() || allowance.depths[n] == 0.) &&
+                placed->is_passed(starts[n],
+                                  ends[n],
+                                  start_gaps[k],
+                                  pair.contactor.nodes[n].dofs[0]))
+              passed.push_back(k);
+          }
+      }
+    return passed;
+  }
+
+
+
+  template <int dim>
   std::string
   ContactModel<dim>::candidates_in_words(
     const std::vector<unsigned int> &candidates) const

@@ -1,4 +1,5 @@
 #include <signorini/contact/corner_normals.h>
+#include <signorini/contact/curve_crossing.h>
 #include <signorini/contact/deforming_curve.h>
 #include <signorini/contact/gap_derivatives.h>
 
@@ -101,10 +102,13 @@ namespace Signorini
         , curve(chain.weights.curve(
             node_positions(chain.nodes.nodes, now.displacement)))
       {
-        if (chain.nodes.is_closed)
-          return;
         const auto positions =
           node_positions(chain.nodes.nodes, now.displacement);
+        for (unsigned int n = 0; n < positions.size(); ++n)
+          largest_motion = std::max(largest_motion,
+                                    positions[n].distance(positions_before[n]));
+        if (chain.nodes.is_closed)
+          return;
         for (unsigned int which = 0; which < 2; ++which)
           if (const auto &beyond = chain.nodes.ends[which].beyond)
             curve.set_end(which,
@@ -118,6 +122,7 @@ namespace Signorini
       const DeformingCurve::Chain &chain;
       const std::vector<Point<2>>  positions_before;
       Curve                        curve;
+      double                       largest_motion = 0.; // of a node, m
     };
 
 
@@ -146,6 +151,12 @@ namespace Signorini
 
       std::optional<TargetPoint<2>>
       closest(const ContactorPoint<2> &point) const override;
+
+      bool
+      is_passed(const Point<2>    &start,
+                const Point<2>    &end,
+                const double       start_gap,
+                const unsigned int unknown) const override;
 
       std::vector<Point<2>>
       joints() const override;
@@ -205,14 +216,36 @@ namespace Signorini
       if (found && !found->is_vertex)
         return found;
       if (const auto beside =
-            project_beyond_ends(curve,
-                                point.position,
-                                point.is_node ? near_vertex : rounding_of_place,
-                                question))
+            project_beyond_ends(curve, point.position, question, point.is_node))
         return beside;
       if (found)
         face_contactor(curve, point.position, point.normal, *found);
       return found;
+    }
+
+
+
+    bool
+    PlacedCurve::is_passed(const Point<2>    &start,
+                           const Point<2>    &end,
+                           const double       start_gap,
+                           const unsigned int unknown) const
+    {
+      const auto own = place_of_unknown_.find(unknown);
+      for (unsigned int c = 0; c < chains_.size(); ++c)
+        {
+          const PlacedChain &chain = chains_[c];
+          if (own != place_of_unknown_.end() && own->second.first == c)
+            continue;
+          const double motion = start.distance(end) + chain.largest_motion;
+          if (std::min(start_gap, reach_) >= motion)
+            continue;
+          const Curve before =
+            chain.chain.weights.curve(chain.positions_before);
+          if (CurveCrossing(before, chain.curve).first(start, end))
+            return true;
+        }
+      return false;
     }
 
 

@@ -76,23 +76,23 @@ namespace Signorini
 
 
   FrictionLaw
-  FrictionLaw::parse(const Constants   &constants,
-                     const std::string &section,
-                     const std::function<std::string(const std::string &)> &get)
+  FrictionLaw::parse(
+    const Constants                                       &constants,
+    const std::function<std::string(const std::string &)> &get,
+    const std::function<std::string(const std::string &)> &path)
   {
+    const auto parse_entry = [&](const std::string &name) {
+      return parse_not_negative(get(name), path(name));
+    };
     FrictionLaw law;
-    law.static_coefficient_ =
-      parse_not_negative(get("Friction coefficient"),
-                         section + " / Friction coefficient");
+    law.static_coefficient_ = parse_entry("Friction coefficient");
     if (!get("Shear stress limit").empty())
-      law.largest_shear_stress_ =
-        parse_not_negative(get("Shear stress limit"),
-                           section + " / Shear stress limit");
+      law.largest_shear_stress_ = parse_entry("Shear stress limit");
 
     const std::string kinetic = get("Kinetic friction coefficient");
     if (kinetic.empty())
       return law;
-    const std::string entry = section + " / Kinetic friction coefficient";
+    const std::string entry = path("Kinetic friction coefficient");
     if (law.static_coefficient_ == 0.)
       throw InputError(entry + ": found " + kinetic +
                        ", but the Friction coefficient is zero. Give that of "

@@ -239,6 +239,20 @@ namespace Signorini
 
 
 
+  std::vector<Point<2>>
+  Profile::outline() const
+  {
+    constexpr unsigned int n_pieces = 8; // a segment
+    std::vector<Point<2>>  points;
+    for (unsigned int s = 0; s < curve_.n_segments(); ++s)
+      for (unsigned int i = 0; i < n_pieces; ++i)
+        points.push_back(curve_.value({s, double(i) / n_pieces}));
+    points.push_back(curve_.value({curve_.n_segments() - 1, 1.}));
+    return points;
+  }
+
+
+
   bool
   Profile::is_flat() const
   {

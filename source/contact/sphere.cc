@@ -113,6 +113,26 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<Point<dim>>
+  Sphere<dim>::outline() const
+  {
+    std::vector<Point<dim>> points;
+    constexpr unsigned int  n = 180;
+    if (dim == 2)
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double angle = 2. * numbers::PI * (i % n) / n;
+          Point<dim>   point = centre_;
+          point[0] += radius_ * std::cos(angle);
+          point[1] += radius_ * std::sin(angle);
+          points.push_back(point);
+        }
+    return points;
+  }
+
+
+
   template class Sphere<2>;
   template class Sphere<3>;
 } // namespace Signorini

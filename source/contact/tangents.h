@@ -25,12 +25,11 @@ namespace Signorini
       }
     else
       {
-        // The axis that is farthest from the normal.
-        unsigned int axis = 0;
-        for (unsigned int d = 1; d < dim; ++d)
-          if (std::abs(normal[d]) < std::abs(normal[axis]))
-            axis = d;
-        tangents[0][axis] = 1.;
+        // x or, where the normal is near to it, y. The choice must not hang on
+        // rounding at normals along an axis: the frame would turn from one
+        // iteration to the next.
+        const unsigned int axis = std::abs(normal[0]) < 0.9 ? 0 : 1;
+        tangents[0][axis]       = 1.;
         tangents[0] -= normal[axis] * normal;
         tangents[0] /= tangents[0].norm();
         tangents[1] = dealii::cross_product_3d(normal, tangents[0]);

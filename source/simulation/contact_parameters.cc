@@ -1,4 +1,5 @@
 #include <signorini/contact/deforming_curve.h>
+#include <signorini/contact/facet_target.h>
 #include <signorini/contact/rigid_target.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
@@ -6,6 +7,8 @@
 #include <signorini/simulation/contact_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <cctype>
 
 namespace Signorini
 {
@@ -66,7 +69,9 @@ namespace Signorini
         }
       catch (const InputError &error)
         {
-          throw InputError(entry + ": " + error.what());
+          std::string text = error.what();
+          text[0]          = std::tolower(text[0]);
+          throw InputError(entry + ": body " + body.name() + ": " + text);
         }
       return {&body, boundary};
     }
@@ -83,10 +88,9 @@ namespace Signorini
                                                 solid.is_fixed(),
                                                 parameters.surface);
       else
-        throw InputError(entry + ": found \"" + side.body->name() + "." +
-                         side.boundary +
-                         "\" as a target, but in 3-D only a rigid body can be "
-                         "one. Make it a rigid body.");
+        return std::make_unique<FacetTarget>(*side.body,
+                                             side.boundary,
+                                             parameters.surface);
     }
 
     // Automatic choice: the finer side carries the constraints; of two as
@@ -194,7 +198,7 @@ namespace Signorini
                       "",
                       Patterns::Anything(),
                       "What may touch, separated by commas: `BODY.BOUNDARY on "
-                      "RIGID BODY', `BODY.BOUNDARY on BODY.BOUNDARY' (2-D; the "
+                      "RIGID BODY', `BODY.BOUNDARY on BODY.BOUNDARY' (the "
                       "first is the contactor, whose nodes do not penetrate "
                       "the second, the target), or `... with ...': the finer "
                       "one is the contactor. A boundary may touch itself. Each "

@@ -2,8 +2,8 @@
 
 // Boost 1.74 would print a notice about its own placeholders otherwise.
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
-#include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -14,14 +14,35 @@ namespace Signorini
 
   namespace
   {
+    // A handler keeps names with _XX, the hexadecimal code, in place of what
+    // is no letter or digit.
+    std::string
+    original_name(const std::string &kept)
+    {
+      std::string name;
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i] != '_')
+          name += kept[i];
+        else
+          {
+            name += static_cast<char>(
+              std::stoi(kept.substr(i + 1, 2), nullptr, /*base=*/16));
+            i += 2;
+          }
+      return name;
+    }
+
+
+
     DeclaredSection
     section_of(const boost::property_tree::ptree &tree)
     {
       DeclaredSection section;
-      for (const auto &[name, child] : tree)
+      for (const auto &[kept, child] : tree)
         {
-          const auto pattern = child.find("pattern_description");
-          const auto alias   = child.find("alias");
+          const std::string name    = original_name(kept);
+          const auto        pattern = child.find("pattern_description");
+          const auto        alias   = child.find("alias");
           if (pattern != child.not_found() && pattern->second.empty())
             section.entries.push_back({name, pattern->second.data()});
           else if (alias != child.not_found() && alias->second.empty())
@@ -90,14 +111,14 @@ namespace Signorini
   DeclaredSection
   declared_parameters(const ParameterHandler &prm)
   {
-    // The JSON output is the only complete view of its tree that a handler
-    // offers in 9.4, with names as they were declared.
-    std::stringstream json;
-    prm.print_parameters(json,
-                         ParameterHandler::JSON |
+    // The XML output is the only complete view of its tree that a handler
+    // offers in 9.4; JSON breaks names at their dots.
+    std::stringstream xml;
+    prm.print_parameters(xml,
+                         ParameterHandler::XML |
                            ParameterHandler::KeepDeclarationOrder);
     boost::property_tree::ptree tree;
-    boost::property_tree::read_json(json, tree);
-    return section_of(tree);
+    boost::property_tree::read_xml(xml, tree);
+    return section_of(tree.get_child("ParameterHandler"));
   }
 } // namespace Signorini

@@ -28,6 +28,14 @@ namespace Signorini
                       Patterns::Double(0.),
                       "Write fields each time so much time has passed; 0: not "
                       "by time. Unit: s.");
+    prm.declare_entry("Interface problems at",
+                      "",
+                      Patterns::Anything(),
+                      "Times, separated by commas: the interface problem of "
+                      "the step that reaches each is written to a text file, "
+                      "which `signorini solve-interface' solves by every "
+                      "algorithm. That of a step that fails at the Minimal "
+                      "step size is written always. Unit: s.");
     prm.declare_entry("Monitor",
                       "",
                       Patterns::Anything(),
@@ -58,7 +66,10 @@ namespace Signorini
     parameters.directory            = prm.get("Directory");
     parameters.steps_between_fields = prm.get_integer("Steps between fields");
     parameters.time_between_fields  = prm.get_double("Time between fields");
-    const std::string entry         = "Output / Monitor";
+    for (const auto &time : split_list(prm.get("Interface problems at"), ','))
+      parameters.interface_times.push_back(
+        parse_number(time, "Output / Interface problems at"));
+    const std::string entry = "Output / Monitor";
     for (const auto &[name, place] :
          parse_named_list(prm.get("Monitor"), entry))
       {
@@ -95,6 +106,21 @@ namespace Signorini
     return time_between_fields > 0. &&
            std::floor(time / time_between_fields + tolerance) >
              std::floor(old_time / time_between_fields + tolerance);
+  }
+
+
+
+  template <int dim>
+  bool
+  OutputParameters<dim>::interface_is_due(const double old_time,
+                                          const double time) const
+  {
+    return std::any_of(interface_times.begin(),
+                       interface_times.end(),
+                       [&](const double due) {
+                         const double late = due * (1. - 1e-9);
+                         return old_time < late && late <= time;
+                       });
   }
 
 

@@ -28,14 +28,18 @@ namespace Signorini
            const unsigned int      node,
            const double            depth)
     {
+      // A deformable target is BODY.BOUNDARY; names have no dots.
+      const bool is_rigid = pair.target->name().find('.') == std::string::npos;
       std::ostringstream message;
       message << "Contact / Pairs: at t = 0 the node of body "
               << pair.body->name() << " at ("
               << pair.contactor.nodes[node].point << ") lies " << depth
               << " m inside of \"" << pair.target->name()
-              << "\". Move one of them apart, or turn the normal (plane) or "
-                 "the Side (circle, sphere, cylinder) round; or set Contact / "
-                 "Overclosure = press fit or adjust.";
+              << "\". Move them apart, "
+              << (is_rigid ? "turn the normal (plane) or the Side (circle, "
+                             "sphere, cylinder) round, " :
+                             "")
+              << "or set Contact / Overclosure = press fit or adjust.";
       throw InputError(message.str());
     }
   } // namespace

@@ -35,7 +35,8 @@ namespace Signorini
          "spline|facets",
          "A deforming target of node to surface: splines through its nodes, or "
          "straight facets between them. mortar takes the boundary as the "
-         "elements have it."},
+         "elements have it. In 3-D always facets, whose normals go over into "
+         "each other."},
         {"Knots",
          "centripetal",
          "centripetal|uniform",
@@ -91,13 +92,11 @@ namespace Signorini
     using Getter = std::function<std::string(const std::string &)>;
 
     double
-    positive(const Getter      &get,
-             const std::string &name,
-             const std::string &section)
+    positive(const Getter &get, const Getter &path, const std::string &name)
     {
-      const double value = parse_number(get(name), section + " / " + name);
+      const double value = parse_number(get(name), path(name));
       if (!(value > 0.))
-        throw InputError(section + " / " + name + ": found " + get(name) +
+        throw InputError(path(name) + ": found " + get(name) +
                          ", but it must be greater than zero.");
       return value;
     }
@@ -129,15 +128,23 @@ namespace Signorini
                         const Constants   &constants,
                         ParameterHandler  &prm)
   {
-    const Getter get = [&](const std::string &name) {
+    const Getter get_own = [&](const std::string &name) {
       prm.enter_subsection("Pair " + pair);
       const std::string own = prm.get(name);
       prm.leave_subsection();
+      return own;
+    };
+    const Getter get = [&](const std::string &name) {
+      const std::string own = get_own(name);
       return own.empty() ? prm.get(name) : own;
     };
-    const std::string section = "Contact / Pair " + pair;
-    PairParameters    parameters;
-    parameters.friction   = FrictionLaw::parse(constants, section, get);
+    const Getter path = [&](const std::string &name) {
+      return (get_own(name).empty() ? "Contact / " :
+                                      "Contact / Pair " + pair + " / ") +
+             name;
+    };
+    PairParameters parameters;
+    parameters.friction   = FrictionLaw::parse(constants, get, path);
     parameters.constraint = get("Constraint") == "mortar" ?
                               ContactConstraint::mortar :
                               ContactConstraint::node_to_surface;
@@ -148,14 +155,14 @@ namespace Signorini
     parameters.surface.knots         = get("Knots") == "uniform" ?
                                          CurveWeights::Knots::uniform :
                                          CurveWeights::Knots::centripetal;
-    parameters.surface.feature_angle = positive(get, "Feature angle", section);
-    parameters.surface.reach    = positive(get, "Search distance", section);
-    parameters.surface.depth    = positive(get, "Search depth", section);
-    const std::string treatment = get("Overclosure");
+    parameters.surface.feature_angle = positive(get, path, "Feature angle");
+    parameters.surface.reach         = positive(get, path, "Search distance");
+    parameters.surface.depth         = positive(get, path, "Search depth");
+    const std::string treatment      = get("Overclosure");
     parameters.overclosure = treatment == "press fit" ? Overclosure::press_fit :
                              treatment == "adjust"    ? Overclosure::adjust :
                                                         Overclosure::refuse;
-    parameters.press_fit_end = positive(get, "Press fit end", section);
+    parameters.press_fit_end = positive(get, path, "Press fit end");
     return parameters;
   }
 } // namespace Signorini

@@ -41,6 +41,24 @@ namespace Signorini
                                                      "maximum_shear"};
       return dim == 2 ? plane : solid;
     }
+
+    // A rigid body as a line that moves.
+    template <int dim>
+    SurfaceData<dim>
+    outline_data(const RigidBody<dim> &body, const State &state)
+    {
+      const auto placement = body.placement({state.displacement, state.time});
+      SurfaceData<dim>            data;
+      std::vector<Tensor<1, dim>> displacement;
+      data.name  = body.name() + ".outline";
+      data.nodes = body.surface().outline();
+      for (const auto &point : data.nodes)
+        displacement.push_back(placement.to_space(point) - point);
+      for (unsigned int n = 1; n < data.nodes.size(); ++n)
+        data.faces.push_back({n - 1, n});
+      data.vector_fields = {{"displacement", displacement}};
+      return data;
+    }
   } // namespace
 
 
@@ -231,6 +249,9 @@ namespace Signorini
     for (const auto &pair : problem_.contact->pairs())
       if (!pair.contactor.faces.empty())
         data.push_back(surface_data(pair));
+    for (const auto &body : problem_.rigid_bodies)
+      if (!body->surface().outline().empty())
+        data.push_back(outline_data(*body, *state_));
     if (!data.empty())
       surfaces.write(data, state_->time);
   }

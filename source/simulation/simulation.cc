@@ -4,7 +4,9 @@
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/variational_inequality/interface_problem_io.h>
 
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -109,11 +111,15 @@ namespace Signorini
         const double old_time = state.time;
         while (state.time < target * (1. - rounding))
           {
-            state = advance_towards(state, target, log);
+            state = advance_towards(state, target, folder, log);
             n_iterations_ += state.n_iterations;
             if (state.time < target * (1. - rounding))
               record(state, false, files);
           }
+        if (problem_.output.interface_is_due(old_time, state.time))
+          write_interface(folder + "/interface_" + std::to_string(state.step) +
+                            ".txt",
+                          log);
         const bool is_last =
           grid_step == n_steps || (max_steps && grid_step >= *max_steps);
         record(state,
@@ -155,9 +161,10 @@ namespace Signorini
 
   template <int dim>
   State
-  Simulation<dim>::advance_towards(const State &state,
-                                   const double target,
-                                   Log         &log)
+  Simulation<dim>::advance_towards(const State       &state,
+                                   const double       target,
+                                   const std::string &folder,
+                                   Log               &log)
   {
     // After a cut the steps grow again; the grid is met in any case. A step
     // that nearly reaches the grid takes the regular size exactly, so that the
@@ -181,12 +188,15 @@ namespace Signorini
                   << " s: " << failure.what();
           size *= 0.5;
           if (size < problem_.time.minimal_step_size)
-            throw ComputationError(
-              message.str() +
-              ". The step was cut down to the Minimal step size. Look at the "
-              "last results to see what happens there. Often more Maximal "
-              "iterations, smaller steps, or a finer mesh where contact "
-              "happens help.");
+            {
+              write_interface(folder + "/interface_failed.txt", log);
+              throw ComputationError(
+                message.str() +
+                ". The step was cut down to the Minimal step size. Look at the "
+                "last results to see what happens there. Often more Maximal "
+                "iterations, smaller steps, or a finer mesh where contact "
+                "happens help.");
+            }
           log.line(message.str() + "; cut in half");
         }
       catch (const NotPositiveDefinite &error)
@@ -242,6 +252,19 @@ namespace Signorini
     shown_state_ = state;
     fields_.show(shown_state_);
     fields_.write(files.fields, files.surfaces);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_interface(const std::string &path, Log &log) const
+  {
+    if (time_step_.interface_problem().size() == 0)
+      return;
+    std::ofstream file(path);
+    write_interface_problem(time_step_.interface_problem(), file);
+    log.line("interface problem in " + path);
   }
 
 

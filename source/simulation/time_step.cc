@@ -219,6 +219,7 @@ namespace Signorini
           imbalance(old_state, state, force, points, iterate.multipliers);
         if (is_solved(state, points, iterate))
           {
+            refuse_passage(old_state, iterate, state);
             finish(old_state, points, iterate, state);
             return state;
           }
@@ -227,6 +228,29 @@ namespace Signorini
           throw StepFailed(failure_message(state, iterate.force_change));
         iterate = improve(force, points, iterate, state);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_passage(const State   &old_state,
+                                const Iterate &iterate,
+                                const State   &state) const
+  {
+    const auto        timing = timings_.measure(section_contact_);
+    std::vector<bool> closed(contact_.n_contacts());
+    for (unsigned int k = 0; k < closed.size(); ++k)
+      closed[k] = iterate.multipliers.normal[k] > 0. ||
+                  old_state.contact_forces.normal[k] > 0.;
+    const auto passed =
+      contact_.passed_targets({state.displacement, state.time},
+                              {old_state.displacement, old_state.time},
+                              old_state.gaps,
+                              closed);
+    if (!passed.empty())
+      throw StepFailed("nodes pass through a surface within the step: " +
+                       contact_.candidates_in_words(passed));
   }
 
 

@@ -168,8 +168,9 @@ namespace Signorini
       unbalanced(load, contact_powers(contact, points, motions));
     for (unsigned int i = 0; i < motions.size(); ++i)
       if (std::abs(rest[i]) > 1e-6 * largest)
-        refuse(motions[i],
-               ", since no contact is there to balance its loads at the end");
+        refuse(
+          motions[i],
+          ", since no contact force can balance its loads at the end of the run");
   }
 
 

@@ -157,11 +157,18 @@ namespace Signorini
   {
     const Frame<dim>         frame(body);
     const auto               motions = rigid_motions(body.formulation());
+    const FullMatrix<double> gram = gram_matrix(body, is_fixed, frame, motions);
     LAPACKFullMatrix<double> matrix(motions.size());
-    matrix = gram_matrix(body, is_fixed, frame, motions);
+    matrix = gram;
     FullMatrix<double> vectors;
     Vector<double>     values;
     matrix.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
+
+    // A rotation about a fixed point moves the centre, too: as in
+    // free_rigid_motion().
+    const unsigned int n_translations =
+      body.formulation() == Formulation::axisymmetric ? 1 : dim;
+    const std::vector<bool> translates = free_motions(gram, n_translations);
 
     std::vector<RigidMode> modes;
     for (unsigned int k = 0; k < values.size(); ++k)
@@ -172,7 +179,8 @@ namespace Signorini
           {
             if (std::abs(vectors(i, k)) < 1e-6)
               continue;
-            if (std::abs(vectors(i, k)) > 0.1)
+            if (std::abs(vectors(i, k)) > 0.1 &&
+                (i >= n_translations || translates[i]))
               mode.name += (mode.name.empty() ? "" : ", ") + motions[i].name;
             for (const auto &node : body.nodes())
               for (unsigned int c = 0; c < dim; ++c)

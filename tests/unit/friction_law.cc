@@ -21,11 +21,10 @@ namespace
       {"Friction coefficient", coefficient},
       {"Kinetic friction coefficient", kinetic},
       {"Shear stress limit", limit}};
-    return FrictionLaw::parse({{"mu0", 0.25}},
-                              "Contact",
-                              [&](const std::string &name) {
-                                return entries.at(name);
-                              });
+    return FrictionLaw::parse(
+      {{"mu0", 0.25}},
+      [&](const std::string &name) { return entries.at(name); },
+      [](const std::string &name) { return "Contact / " + name; });
   }
 
   std::string

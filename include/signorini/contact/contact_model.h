@@ -134,6 +134,18 @@ namespace Signorini
     std::string
     held_penetration(const Configuration &configuration) const;
 
+    /**
+     * Open candidates that pass through their target within the step, although
+     * they are outside at its end.
+     * @param start_gaps at the start of the step, m
+     * @param closed     candidates with a contact force at either end
+     */
+    std::vector<unsigned int>
+    passed_targets(const Configuration       &now,
+                   const Configuration       &before,
+                   const std::vector<double> &start_gaps,
+                   const std::vector<bool>   &closed) const;
+
     /** `floor at (0 0), ...' for the first few of these candidates. */
     std::string
     candidates_in_words(const std::vector<unsigned int> &candidates) const;

@@ -39,13 +39,14 @@ namespace Signorini
 
     /**
      * Reads the entries.
-     * @param section for messages
-     * @param get     gives the text of an entry. @throws InputError.
+     * @param get  gives the text of an entry
+     * @param path of an entry, for messages
+     * @throws InputError.
      */
     static FrictionLaw
     parse(const Constants                                       &constants,
-          const std::string                                     &section,
-          const std::function<std::string(const std::string &)> &get);
+          const std::function<std::string(const std::string &)> &get,
+          const std::function<std::string(const std::string &)> &path);
 
     bool
     is_frictionless() const

@@ -50,6 +50,9 @@ namespace Signorini
     bool
     is_flat() const override;
 
+    std::vector<dealii::Point<2>>
+    outline() const override;
+
     const Curve &
     curve() const
     {

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -38,6 +39,16 @@ namespace Signorini
     /** True if normals are the same everywhere. */
     virtual bool
     is_flat() const = 0;
+
+    /**
+     * Points along it, for pictures; the last one is joined to the first if
+     * they are equal. Empty: it is not drawn.
+     */
+    virtual std::vector<dealii::Point<dim>>
+    outline() const
+    {
+      return {};
+    }
 
     /** A length that is typical of it, m; 1 if it has none. */
     virtual double

@@ -38,6 +38,9 @@ namespace Signorini
     bool
     is_flat() const override;
 
+    std::vector<dealii::Point<dim>>
+    outline() const override;
+
     double
     reference_length() const override
     {

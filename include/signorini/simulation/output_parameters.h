@@ -27,6 +27,7 @@ namespace Signorini
     std::string          directory;
     unsigned int         steps_between_fields; // 0: not by steps
     double               time_between_fields;  // s; 0: not by time
+    std::vector<double>  interface_times;      // s, increasing
     std::vector<Monitor> monitors;
     std::string          checks;
 
@@ -42,6 +43,10 @@ namespace Signorini
     fields_are_due(const unsigned int step,
                    const double       old_time,
                    const double       time) const;
+
+    /** True if the interface problem of this step is to be written. */
+    bool
+    interface_is_due(const double old_time, const double time) const;
   };
 } // namespace Signorini
 

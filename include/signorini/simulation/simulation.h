@@ -54,7 +54,14 @@ namespace Signorini
     // One step towards a time of the regular grid, cut in half until it
     // converges.
     State
-    advance_towards(const State &state, const double target, Log &log);
+    advance_towards(const State       &state,
+                    const double       target,
+                    const std::string &folder,
+                    Log               &log);
+
+    // As text, so that it can be solved alone.
+    void
+    write_interface(const std::string &path, Log &log) const;
 
     void
     record(const State &state, const bool with_fields, Files &files);

@@ -60,6 +60,13 @@ namespace Signorini
     State
     advance(const State &old_state, const double step_size);
 
+    /** That of the last iteration. */
+    const InterfaceProblem &
+    interface_problem() const
+    {
+      return system_.interface_problem();
+    }
+
   private:
     // The multipliers of an iterate and how they changed.
     struct Iterate
@@ -107,6 +114,12 @@ namespace Signorini
     is_solved(const State                          &state,
               const std::vector<ContactPoint<dim>> &points,
               const Iterate                        &iterate) const;
+
+    // @throws StepFailed if a node was through a target and out again.
+    void
+    refuse_passage(const State   &old_state,
+                   const Iterate &iterate,
+                   const State   &state) const;
 
     Iterate
     improve(const dealii::Vector<double>         &residual,

@@ -1,0 +1,327 @@
+#include <signorini/contact/facet_target.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tangents.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // A point of a facet, from where x is seen along the normal.
+    struct FacetPoint
+    {
+      unsigned int          facet;
+      std::array<double, 4> shape; // N_a, 1
+      Tensor<1, 3>          normal;
+      double                gap;       // m
+      double                overshoot; // beyond the edges, in parts of a facet
+    };
+
+    // Facets overlap so far by rounding.
+    constexpr double rounding_of_place = 1e-9;
+
+    // A point beside the border of the surface, by so little in parts of a
+    // facet that strain or rounding explains it, still meets it.
+    constexpr double near_border = 0.05;
+
+    // As for curves: normals less opposed than this do not face each other.
+    constexpr double maximal_cosine = -0.1;
+
+    std::array<double, 4>
+    bilinear(const double xi, const double eta)
+    {
+      return {
+        {(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
+    }
+
+    class PlacedFacets : public PlacedTarget<3>
+    {
+    public:
+      PlacedFacets(const ContactorSurface<3> &surface,
+                   const Configuration       &now,
+                   const Configuration       &before,
+                   const double               reach,
+                   const double               penetration_limit);
+
+      std::optional<TargetPoint<3>>
+      closest(const ContactorPoint<3> &point) const override;
+
+    private:
+      // sum_a N_a v_a over the nodes of a facet.
+      template <typename T>
+      Tensor<1, 3>
+      interpolate(const unsigned int           facet,
+                  const std::array<double, 4> &shape,
+                  const std::vector<T>        &values) const;
+
+      std::optional<FacetPoint>
+      project(const unsigned int facet, const Point<3> &x) const;
+
+      bool
+      is_allowed(const FacetPoint        &candidate,
+                 const ContactorPoint<3> &point) const;
+
+      bool
+      carries(const unsigned int facet, const unsigned int unknown) const;
+
+      TargetPoint<3>
+      target_point(const FacetPoint &found) const;
+
+      const ContactorSurface<3>      &surface_;
+      const double                    reach_;
+      const double                    penetration_limit_;
+      const std::vector<Point<3>>     positions_;
+      const std::vector<Point<3>>     positions_before_;
+      const std::vector<Tensor<1, 3>> normals_;
+
+      RTree<std::pair<BoundingBox<3>, unsigned int>> tree_;
+    };
+
+
+
+    PlacedFacets::PlacedFacets(const ContactorSurface<3> &surface,
+                               const Configuration       &now,
+                               const Configuration       &before,
+                               const double               reach,
+                               const double               penetration_limit)
+      : surface_(surface)
+      , reach_(reach)
+      , penetration_limit_(penetration_limit)
+      , positions_(node_positions(surface.nodes, now.displacement))
+      , positions_before_(node_positions(surface.nodes, before.displacement))
+      , normals_(node_normals(surface, positions_))
+    {
+      std::vector<std::pair<BoundingBox<3>, unsigned int>> boxes;
+      for (const auto &facet : surface.faces)
+        {
+          std::vector<Point<3>> corners;
+          for (const unsigned int node : facet)
+            corners.push_back(positions_[node]);
+          boxes.emplace_back(BoundingBox<3>(corners), boxes.size());
+        }
+      tree_ = pack_rtree(boxes);
+    }
+
+
+
+    template <typename T>
+    Tensor<1, 3>
+    PlacedFacets::interpolate(const unsigned int           facet,
+                              const std::array<double, 4> &shape,
+                              const std::vector<T>        &values) const
+    {
+      Tensor<1, 3> sum;
+      for (unsigned int a = 0; a < 4; ++a)
+        sum += shape[a] * Tensor<1, 3>(values[surface_.faces[facet][a]]);
+      return sum;
+    }
+
+
+
+    // Newton's method for xi, eta and s in x = y + s m.
+    std::optional<FacetPoint>
+    PlacedFacets::project(const unsigned int facet, const Point<3> &x) const
+    {
+      constexpr unsigned int most_steps = 20;
+      double                 xi = 0.5, eta = 0.5, s = 0.;
+      for (unsigned int step = 0; step < most_steps; ++step)
+        {
+          const auto                  shape = bilinear(xi, eta);
+          const std::array<double, 4> by_xi = {{eta - 1., 1. - eta, -eta, eta}};
+          const std::array<double, 4> by_eta = {{xi - 1., -xi, 1. - xi, xi}};
+          const Tensor<1, 3>          m = interpolate(facet, shape, normals_);
+          const Tensor<1, 3>          rest =
+            x - interpolate(facet, shape, positions_) - s * m;
+          const std::array<Tensor<1, 3>, 3> columns = {
+            {interpolate(facet, by_xi, positions_) +
+               s * interpolate(facet, by_xi, normals_),
+             interpolate(facet, by_eta, positions_) +
+               s * interpolate(facet, by_eta, normals_),
+             m}};
+          // By Cramer's rule.
+          const Tensor<1, 3> cross = cross_product_3d(columns[0], columns[1]);
+          const double       determinant = cross * m;
+          if (!(determinant > 0.))
+            return {};
+          const double dxi =
+            cross_product_3d(columns[1], m) * rest / determinant;
+          const double deta =
+            cross_product_3d(m, columns[0]) * rest / determinant;
+          xi += dxi;
+          eta += deta;
+          s += cross * rest / determinant;
+          // What is that far beside belongs to other facets.
+          if (!(std::abs(xi - 0.5) < 2. && std::abs(eta - 0.5) < 2.))
+            return {};
+          if (std::abs(dxi) + std::abs(deta) > 1e-12)
+            continue;
+
+          FacetPoint point;
+          point.facet     = facet;
+          point.overshoot = std::max({0., -xi, xi - 1., -eta, eta - 1.});
+          point.shape =
+            bilinear(std::clamp(xi, 0., 1.), std::clamp(eta, 0., 1.));
+          point.normal = interpolate(facet, point.shape, normals_);
+          point.normal /= point.normal.norm();
+          point.gap =
+            (x - interpolate(facet, point.shape, positions_)) * point.normal;
+          return point;
+        }
+      return {};
+    }
+
+
+
+    bool
+    PlacedFacets::is_allowed(const FacetPoint        &candidate,
+                             const ContactorPoint<3> &point) const
+    {
+      return candidate.overshoot <=
+               (point.is_node ? near_border : rounding_of_place) &&
+             candidate.gap <= reach_ && candidate.gap >= -penetration_limit_ &&
+             (point.normal.norm() == 0. ||
+              point.normal * candidate.normal < maximal_cosine);
+    }
+
+
+
+    bool
+    PlacedFacets::carries(const unsigned int facet,
+                          const unsigned int unknown) const
+    {
+      const auto &nodes = surface_.faces[facet];
+      return std::any_of(nodes.begin(), nodes.end(), [&](const auto node) {
+        return surface_.nodes[node].dofs[0] == unknown;
+      });
+    }
+
+
+
+    std::optional<TargetPoint<3>>
+    PlacedFacets::closest(const ContactorPoint<3> &point) const
+    {
+      // Facets in the order of the distance of their boxes, until no box can
+      // hold a nearer point. One that x is opposite to comes before one that x
+      // is beside.
+      std::optional<FacetPoint> best;
+      const auto                is_better = [&](const FacetPoint &candidate) {
+        if (!best)
+          return true;
+        const bool inside = candidate.overshoot <= rounding_of_place;
+        const bool best_inside = best->overshoot <= rounding_of_place;
+        return inside != best_inside ?
+                                inside :
+                                std::abs(candidate.gap) < std::abs(best->gap);
+      };
+      namespace bgi = boost::geometry::index;
+      for (auto near = tree_.qbegin(bgi::nearest(
+             point.position, static_cast<unsigned int>(tree_.size())));
+           near != tree_.qend();
+           ++near)
+        {
+          const double distance =
+            boost::geometry::distance(near->first, point.position);
+          if (distance > reach_ ||
+              (best && best->overshoot <= rounding_of_place &&
+               distance > std::abs(best->gap)))
+            break;
+          if (carries(near->second, point.unknown))
+            continue;
+          const auto candidate = project(near->second, point.position);
+          if (candidate && is_allowed(*candidate, point) &&
+              is_better(*candidate))
+            best = candidate;
+        }
+      if (!best)
+        return {};
+      return target_point(*best);
+    }
+
+
+
+    TargetPoint<3>
+    PlacedFacets::target_point(const FacetPoint &found) const
+    {
+      TargetPoint<3> target;
+      target.gap      = found.gap;
+      target.normal   = found.normal;
+      target.tangents = tangents_of(found.normal);
+      target.motion   = interpolate(found.facet, found.shape, positions_) -
+                      interpolate(found.facet, found.shape, positions_before_);
+      for (unsigned int a = 0; a < 4; ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            Tensor<1, 3> share;
+            share[c] = found.shape[a];
+            target.carriers.emplace_back(
+              surface_.nodes[surface_.faces[found.facet][a]].dofs[c], share);
+          }
+      return target;
+    }
+  } // namespace
+
+
+
+  FacetTarget::FacetTarget(const Body<3>              &body,
+                           const std::string          &boundary,
+                           const SurfaceInterpolation &interpolation)
+    : name_(body.name() + "." + boundary)
+    , surface_(contactor_surface(body, boundary))
+  {
+    double longest = 0.;
+    for (const auto &facet : surface_.faces)
+      for (const auto &[a, b] : {std::make_pair(0, 1),
+                                 std::make_pair(1, 3),
+                                 std::make_pair(3, 2),
+                                 std::make_pair(2, 0)})
+        longest = std::max(longest,
+                           surface_.nodes[facet[a]].point.distance(
+                             surface_.nodes[facet[b]].point));
+    reach_             = interpolation.reach * longest;
+    penetration_limit_ = interpolation.depth * longest;
+  }
+
+
+
+  std::string
+  FacetTarget::name() const
+  {
+    return name_;
+  }
+
+
+
+  bool
+  FacetTarget::is_flat() const
+  {
+    return false;
+  }
+
+
+
+  std::vector<unsigned int>
+  FacetTarget::unknowns() const
+  {
+    std::vector<unsigned int> list;
+    for (const auto &node : surface_.nodes)
+      list.insert(list.end(), node.dofs.begin(), node.dofs.end());
+    return list;
+  }
+
+
+
+  std::unique_ptr<PlacedTarget<3>>
+  FacetTarget::place(const Configuration &now,
+                     const Configuration &before) const
+  {
+    return std::make_unique<PlacedFacets>(
+      surface_, now, before, reach_, penetration_limit_);
+  }
+} // namespace Signorini
