@@ -367,6 +367,14 @@ namespace Signorini
           for (unsigned int j = 0; j < dim - 1; ++j)
             contact.tangents.push_back(
               on_interface(point.slip_gradients[j], 1.));
+          // A node that its supports hold along the surface cannot rub.
+          if (std::all_of(contact.tangents.begin(),
+                          contact.tangents.end(),
+                          [](const SparseRow &row) { return row.size() == 0; }))
+            {
+              contact.tangents.clear();
+              continue;
+            }
           contact.slip                 = point.slip;
           contact.friction_coefficient = coefficients[k];
           contact.largest_friction     = largest_friction(pair, n);

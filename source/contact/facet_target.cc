@@ -53,6 +53,16 @@ namespace Signorini
       std::optional<TargetPoint<3>>
       closest(const ContactorPoint<3> &point) const override;
 
+      // Not looked for: the search distance has to be wider than a step.
+      bool
+      is_passed(const Point<3> &,
+                const Point<3> &,
+                const double,
+                const unsigned int) const override
+      {
+        return false;
+      }
+
     private:
       // sum_a N_a v_a over the nodes of a facet.
       template <typename T>

@@ -46,6 +46,8 @@ namespace Signorini
       matrix_.add(factors.mass, solid_.mass());
     if (factors.damping != 0.)
       matrix_.add(factors.damping, solid_.damping());
+    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+      matrix_.diag_element(i) *= factors.lumped;
     for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
       matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
     solver_->factorise(matrix_);

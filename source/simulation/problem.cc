@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <set>
 
 namespace Signorini
 {
@@ -100,21 +101,28 @@ namespace Signorini
                                     ContactMass::redistributed;
     }
 
-    // The nodes of each body that carry no mass, or would not.
+    // The nodes of each body that carry no mass, or would not: of contactors
+    // and of deforming targets, so that both get the same share of the force.
     template <int dim>
     std::vector<std::vector<Node<dim>>>
     contact_nodes(const SolidModel<dim>   &solid,
                   const ContactModel<dim> &contact)
     {
+      std::set<unsigned int> unknowns; // first ones of nodes
+      for (const auto &pair : contact.pairs())
+        {
+          for (const auto &node : pair.contactor.nodes)
+            unknowns.insert(node.dofs[0]);
+          for (const unsigned int unknown : pair.target->unknowns())
+            unknowns.insert(unknown);
+        }
       std::vector<std::vector<Node<dim>>> lists;
       for (const auto &part : solid.parts())
         {
           std::vector<Node<dim>> nodes;
-          for (const auto &pair : contact.pairs())
-            if (pair.body == part.body.get())
-              nodes.insert(nodes.end(),
-                           pair.contactor.nodes.begin(),
-                           pair.contactor.nodes.end());
+          for (const auto &node : part.body->nodes())
+            if (unknowns.count(node.dofs[0]) > 0)
+              nodes.push_back(node);
           lists.push_back(nodes);
         }
       return lists;

@@ -180,7 +180,8 @@ namespace Signorini
             (1. - scheme_.alpha_B) * scheme_.acceleration_factor(step_size),
             solid_.is_damped() ?
               (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
-              0.};
+              0.,
+            multiplier_factor_};
   }
 
 
@@ -415,6 +416,11 @@ namespace Signorini
         solid_.damping().vmult(product, weighted);
         force -= product;
       }
+
+    // The multipliers are a share of the contact forces: that of rows that
+    // have mass has to be the same.
+    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+      force[i] *= multiplier_factor_;
     return force;
   }
 

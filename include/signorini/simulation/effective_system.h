@@ -22,18 +22,22 @@ namespace Signorini
   class EffectiveSystem
   {
   public:
-    /** K^ = stiffness K + mass M + damping C. */
+    /**
+     * K^ = stiffness K + mass M + damping C; the rows of lumped unknowns, such
+     * as those of rigid bodies, are scaled once more.
+     */
     struct Factors
     {
       double stiffness = 1.; // 1
       double mass      = 0.; // 1/s^2
       double damping   = 0.; // 1/s
+      double lumped    = 1.; // 1
 
       bool
       operator==(const Factors &other) const
       {
         return stiffness == other.stiffness && mass == other.mass &&
-               damping == other.damping;
+               damping == other.damping && lumped == other.lumped;
       }
     };
 

@@ -71,6 +71,13 @@ namespace Signorini
       return is_fixed_.size();
     }
 
+    /** The first of the lumped unknowns, which come last. */
+    unsigned int
+    first_lumped() const
+    {
+      return n_dofs() - lumped_.size();
+    }
+
     /** Unknowns that are not solved for: given motion, hanging nodes. */
     const std::vector<bool> &
     is_fixed() const
@@ -182,11 +189,6 @@ namespace Signorini
     assemble_inertia(const Inertia &inertia);
     void
     hold_free_bodies();
-    unsigned int
-    first_lumped() const
-    {
-      return n_dofs() - lumped_.size();
-    }
 
     std::vector<Part>                 parts_;
     std::vector<LumpedUnknown>        lumped_;
