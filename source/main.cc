@@ -94,11 +94,18 @@ namespace
   int
   run_all(const CommandLine &command_line)
   {
-    int exit_code = done;
-    for (const std::string &file : command_line.prm_files)
+    int                      exit_code = done;
+    std::vector<std::string> files     = command_line.prm_files;
+    files.insert(files.end(),
+                 command_line.interface_files.begin(),
+                 command_line.interface_files.end());
+    for (const std::string &file : files)
       try
         {
-          run_problem(file, command_line.run_options);
+          if (command_line.interface_files.empty())
+            run_problem(file, command_line.run_options);
+          else
+            solve_interface(file, std::cout);
         }
       catch (...)
         {

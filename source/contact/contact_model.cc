@@ -49,6 +49,15 @@ namespace Signorini
             pair.contactor.faces.push_back(face);
         }
     }
+
+    // tau_max B of a candidate, N; infinite if its friction has no bound.
+    template <int dim>
+    double
+    largest_friction(const ContactPair<dim> &pair, const unsigned int n)
+    {
+      const double stress = pair.friction.largest_shear_stress();
+      return std::isfinite(stress) ? stress * pair.contactor.areas[n] : stress;
+    }
   } // namespace
 
 
@@ -272,6 +281,39 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<unsigned int>
+  ContactModel<dim>::passed_targets(const Configuration       &now,
+                                    const Configuration       &before,
+                                    const std::vector<double> &start_gaps,
+                                    const std::vector<bool>   &closed) const
+  {
+    std::vector<unsigned int> passed;
+    for (const auto &pair : pairs_)
+      {
+        const Allowance &allowance = allowances_[&pair - pairs_.data()];
+        const auto       placed    = pair.target->place(now, before);
+        const auto       starts =
+          node_positions(pair.contactor.nodes, before.displacement);
+        const auto ends =
+          node_positions(pair.contactor.nodes, now.displacement);
+        for (unsigned int n = 0; n < starts.size(); ++n)
+          {
+            const unsigned int k = pair.first_contact + n;
+            if (!closed[k] && start_gaps[k] > 0. &&
+                (allowance.depths.empty() || allowance.depths[n] == 0.) &&
+                placed->is_passed(starts[n],
+                                  ends[n],
+                                  start_gaps[k],
+                                  pair.contactor.nodes[n].dofs[0]))
+              passed.push_back(k);
+          }
+      }
+    return passed;
+  }
+
+
+
+  template <int dim>
   std::string
   ContactModel<dim>::candidates_in_words(
     const std::vector<unsigned int> &candidates) const
@@ -327,11 +369,28 @@ namespace Signorini
               on_interface(point.slip_gradients[j], 1.));
           contact.slip                 = point.slip;
           contact.friction_coefficient = coefficients[k];
-          if (std::isfinite(pair.friction.largest_shear_stress()))
-            contact.largest_friction =
-              pair.friction.largest_shear_stress() * pair.contactor.areas[n];
+          contact.largest_friction     = largest_friction(pair, n);
         }
     return contacts;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactModel<dim>::friction_bounds(
+    const std::vector<double> &coefficients,
+    const std::vector<double> &normal_forces) const
+  {
+    std::vector<double> bounds(n_contacts_);
+    for (const auto &pair : pairs_)
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k = pair.first_contact + n;
+          bounds[k]            = std::min(coefficients[k] * normal_forces[k],
+                               largest_friction(pair, n));
+        }
+    return bounds;
   }
 
 

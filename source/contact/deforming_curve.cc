@@ -1,3 +1,5 @@
+#include <signorini/contact/corner_normals.h>
+#include <signorini/contact/curve_crossing.h>
 #include <signorini/contact/deforming_curve.h>
 #include <signorini/contact/gap_derivatives.h>
 
@@ -63,95 +65,6 @@ namespace Signorini
       return ends;
     }
 
-    // In parts of a segment: so near to a vertex a point is taken as at it.
-    constexpr double near_vertex = 0.05;
-
-    // The same for what is at an open end but for rounding.
-    constexpr double rounding_of_place = 1e-9;
-
-    // A point beside an open end, by less than an allowance in parts of the
-    // segment there: the end's tangent goes on so far.
-    std::optional<CurveProjection>
-    project_beyond_ends(const Curve      &curve,
-                        const Point<2>   &x,
-                        const double      allowance,
-                        const CurveQuery &query)
-    {
-      if (curve.is_closed())
-        return {};
-      for (const CurveParameter end :
-           {CurveParameter{0, 0.}, CurveParameter{curve.n_segments() - 1, 1.}})
-        {
-          CurveProjection projection = projection_at(curve, end, x);
-          const double    offset = (x - projection.point) * projection.tangent *
-                                (end.xi > 0. ? 1. : -1.);
-          if (offset < 0. ||
-              offset > allowance * curve.segment(end.segment).length() ||
-              projection.gap > query.search_distance ||
-              projection.gap < -query.penetration_limit ||
-              (query.contactor_normal &&
-               *query.contactor_normal * projection.normal >
-                 query.maximal_cosine))
-            continue;
-          projection.is_vertex = true;
-          return projection;
-        }
-      return {};
-    }
-
-    // The normals on both sides of a vertex, in the order of the curve.
-    std::array<Tensor<1, 2>, 2>
-    normal_cone(const Curve &curve, const CurveProjection &vertex)
-    {
-      const unsigned int s        = vertex.segment;
-      const bool         at_start = vertex.xi < 0.5;
-      const Tensor<1, 2> own      = curve.normal(vertex.place());
-      if (at_start)
-        return {{curve.has_previous(s) ? curve.normal({curve.previous(s), 1.}) :
-                                         curve.end(0).normal,
-                 own}};
-      return {{own,
-               curve.has_next(s) ? curve.normal({curve.next(s), 0.}) :
-                                   curve.end(1).normal}};
-    }
-
-    // At a vertex the direction from y to x is no normal when the two nearly
-    // coincide, as at the edges of two blocks of one width: an offset along the
-    // surface by rounding would turn it by 90 degrees. Within a small part of
-    // the segment the normal is the one of the vertex's cone that is most
-    // opposed to that of the contactor.
-    void
-    face_contactor(const Curve             &curve,
-                   const ContactorPoint<2> &point,
-                   CurveProjection         &vertex)
-    {
-      const double size = curve.segment(vertex.segment).length();
-      const auto   cone = normal_cone(curve, vertex);
-      if (point.normal.norm() == 0. || cone[0].norm() == 0. ||
-          cone[1].norm() == 0.)
-        return;
-      const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
-        return a[0] * b[1] - a[1] * b[0];
-      };
-      // A reentrant corner has no cone.
-      const double orientation = cross(cone[0], cone[1]);
-      if (orientation <= 0.)
-        return;
-      const Tensor<1, 2> facing = -point.normal;
-      const Tensor<1, 2> normal =
-        cross(cone[0], facing) >= 0. && cross(facing, cone[1]) >= 0. ? facing :
-        facing * cone[0] > facing * cone[1]                          ? cone[0] :
-                                                                       cone[1];
-      const Tensor<1, 2> arm = point.position - vertex.point;
-      const double       gap = arm * normal;
-      if ((arm - gap * normal).norm() > near_vertex * size)
-        return;
-      vertex.normal    = normal;
-      vertex.tangent   = tangent_of_normal(normal);
-      vertex.gap       = gap;
-      vertex.curvature = 0.;
-    }
-
     CurveWeights
     curve_weights(const std::vector<Point<2>> &reference,
                   const BoundaryChain         &chain,
@@ -189,10 +102,13 @@ namespace Signorini
         , curve(chain.weights.curve(
             node_positions(chain.nodes.nodes, now.displacement)))
       {
-        if (chain.nodes.is_closed)
-          return;
         const auto positions =
           node_positions(chain.nodes.nodes, now.displacement);
+        for (unsigned int n = 0; n < positions.size(); ++n)
+          largest_motion = std::max(largest_motion,
+                                    positions[n].distance(positions_before[n]));
+        if (chain.nodes.is_closed)
+          return;
         for (unsigned int which = 0; which < 2; ++which)
           if (const auto &beyond = chain.nodes.ends[which].beyond)
             curve.set_end(which,
@@ -206,6 +122,7 @@ namespace Signorini
       const DeformingCurve::Chain &chain;
       const std::vector<Point<2>>  positions_before;
       Curve                        curve;
+      double                       largest_motion = 0.; // of a node, m
     };
 
 
@@ -234,6 +151,12 @@ namespace Signorini
 
       std::optional<TargetPoint<2>>
       closest(const ContactorPoint<2> &point) const override;
+
+      bool
+      is_passed(const Point<2>    &start,
+                const Point<2>    &end,
+                const double       start_gap,
+                const unsigned int unknown) const override;
 
       std::vector<Point<2>>
       joints() const override;
@@ -288,17 +211,41 @@ namespace Signorini
       const Curve     &curve    = chains_[chain].curve;
       const CurveQuery question = query(point, chain);
       auto found = searches_[chain].project(point.position, question);
+      if (found && point.is_node && round_joint(curve, *found))
+        return found;
       if (found && !found->is_vertex)
         return found;
       if (const auto beside =
-            project_beyond_ends(curve,
-                                point.position,
-                                point.is_node ? near_vertex : rounding_of_place,
-                                question))
+            project_beyond_ends(curve, point.position, question, point.is_node))
         return beside;
       if (found)
-        face_contactor(curve, point, *found);
+        face_contactor(curve, point.position, point.normal, *found);
       return found;
+    }
+
+
+
+    bool
+    PlacedCurve::is_passed(const Point<2>    &start,
+                           const Point<2>    &end,
+                           const double       start_gap,
+                           const unsigned int unknown) const
+    {
+      const auto own = place_of_unknown_.find(unknown);
+      for (unsigned int c = 0; c < chains_.size(); ++c)
+        {
+          const PlacedChain &chain = chains_[c];
+          if (own != place_of_unknown_.end() && own->second.first == c)
+            continue;
+          const double motion = start.distance(end) + chain.largest_motion;
+          if (std::min(start_gap, reach_) >= motion)
+            continue;
+          const Curve before =
+            chain.chain.weights.curve(chain.positions_before);
+          if (CurveCrossing(before, chain.curve).first(start, end))
+            return true;
+        }
+      return false;
     }
 
 

@@ -23,6 +23,12 @@ namespace Signorini
       std::optional<TargetPoint<dim>>
       closest(const ContactorPoint<dim> &point) const override;
 
+      bool
+      is_passed(const Point<dim>  &start,
+                const Point<dim>  &end,
+                const double       start_gap,
+                const unsigned int unknown) const override;
+
     private:
       void
       add_carriers(const Point<dim> &y, TargetPoint<dim> &target) const;
@@ -60,6 +66,32 @@ namespace Signorini
         target.curvature =
           curvature(point.position, target.normal, surface.curvature);
       return target;
+    }
+
+
+
+    // The gap is a distance: from a point the path is free for at least so far.
+    template <int dim>
+    bool
+    PlacedRigidTarget<dim>::is_passed(const Point<dim> &start,
+                                      const Point<dim> &end,
+                                      const double /*start_gap*/,
+                                      const unsigned int /*unknown*/) const
+    {
+      const Point<dim>       from   = before_.to_body(start);
+      const Tensor<1, dim>   path   = now_.to_body(end) - from;
+      const double           length = path.norm();
+      constexpr unsigned int most   = 100; // a path that grazes comes no nearer
+      double                 passed = 0.;  // along the path
+      for (unsigned int i = 0; i < most && passed < length; ++i)
+        {
+          const Point<dim> X   = from + (passed / length) * path;
+          const double     gap = body_.surface().closest(X).gap;
+          if (gap < 0. && passed > 0.)
+            return true;
+          passed += std::max(gap, 1e-3 * length);
+        }
+      return false;
     }
 
 

@@ -107,11 +107,23 @@ namespace Signorini
 
 
 
+    // A first word instead of a .prm file.
+    const std::string solve_interface = "solve-interface";
+
     CommandLine
     command_line(const po::variables_map &values)
     {
       CommandLine result;
-      result.prm_files              = texts(values, "prm");
+      result.prm_files = texts(values, "prm");
+      if (!result.prm_files.empty() &&
+          result.prm_files.front() == solve_interface)
+        {
+          result.interface_files.assign(result.prm_files.begin() + 1,
+                                        result.prm_files.end());
+          result.prm_files.clear();
+          if (result.interface_files.empty())
+            throw CommandLineError(solve_interface + ": no file is given.");
+        }
       result.help                   = values.count("help") > 0;
       result.version                = values.count("version") > 0;
       result.print_parameters       = values.count("print-parameters") > 0;
@@ -147,8 +159,8 @@ namespace Signorini
         throw CommandLineError(std::string("Command line: ") + error.what() +
                                ".");
       }
-    if (result.prm_files.empty() && !result.help && !result.version &&
-        !result.print_parameters)
+    if (result.prm_files.empty() && result.interface_files.empty() &&
+        !result.help && !result.version && !result.print_parameters)
       throw CommandLineError("No .prm file is given.");
     return result;
   }
@@ -160,7 +172,10 @@ namespace Signorini
   {
     std::ostringstream text;
     text << "Signorini: dynamic contact by variational inequalities.\n\n"
-         << "Usage: signorini [options] FILE.prm [FILE.prm ...]\n\n"
+         << "Usage: signorini [options] FILE.prm [FILE.prm ...]\n"
+         << "       signorini solve-interface FILE [FILE ...]\n\n"
+         << "solve-interface solves interface problems that were written to "
+            "files by every\nexact algorithm and compares them.\n\n"
          << visible_options()
          << "\nExit codes: 0 done, 1 wrong input, 2 wrong command line, 3 the "
             "computation failed,\n4 expected results missed, 130 "

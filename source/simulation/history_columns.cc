@@ -61,6 +61,39 @@ namespace Signorini
         result.pressure_mean = total_force / total_area;
       return result;
     }
+
+    template <int dim>
+    void
+    add_rigid_body_columns(const RigidBody<dim> &body, History &history)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        history.add_column(body.name() + ".displacement_" + component_name(c),
+                           "m");
+      for (unsigned int c = 0; c < dim; ++c)
+        history.add_column(body.name() + ".velocity_" + component_name(c),
+                           "m/s");
+      if (dim == 3)
+        return;
+      history.add_column(body.name() + ".angle", "rad");
+      history.add_column(body.name() + ".angular_velocity", "rad/s");
+    }
+
+    template <int dim>
+    void
+    append_rigid_body(const RigidBody<dim> &body,
+                      const State          &state,
+                      std::vector<double>  &row)
+    {
+      const unsigned int first = body.first_unknown();
+      for (unsigned int c = 0; c < dim; ++c)
+        row.push_back(state.displacement[first + c]);
+      for (unsigned int c = 0; c < dim; ++c)
+        row.push_back(state.velocity[first + c]);
+      if (dim == 3)
+        return;
+      row.push_back(state.displacement[first + 2] / body.lever());
+      row.push_back(state.velocity[first + 2] / body.lever());
+    }
   } // namespace
 
 
@@ -104,6 +137,9 @@ namespace Signorini
         history.add_column(pair.name + ".gap_min", "m");
         history.add_column(pair.name + ".penetration", "m");
       }
+    for (const auto &body : problem.rigid_bodies)
+      if (body->is_free())
+        add_rigid_body_columns(*body, history);
     for (const char *const name : {"energy.kinetic",
                                    "energy.stored",
                                    "energy.damping",
@@ -150,6 +186,9 @@ namespace Signorini
         row.push_back(result.gap_min);
         row.push_back(std::max(0., -result.gap_min));
       }
+    for (const auto &body : problem.rigid_bodies)
+      if (body->is_free())
+        append_rigid_body(*body, state, row);
     const EnergyLedger &energy = state.energy;
     for (const double value : {energy.kinetic,
                                energy.stored,

@@ -8,6 +8,7 @@
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/run.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -167,6 +168,14 @@ namespace Signorini
       run_problem<2>(file, outline, options);
     else
       run_problem<3>(file, outline, options);
+  }
+
+
+
+  void
+  solve_interface(const std::string &file, std::ostream &stream)
+  {
+    stream << compare_algorithms_on_file(file) << std::flush;
   }
 
 

@@ -153,9 +153,8 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::find_initial_slip(
-    const std::vector<ContactPoint<dim>> &points,
-    State                                &state) const
+  TimeStep<dim>::find_initial_slip(const std::vector<ContactPoint<dim>> &points,
+                                   State &state) const
   {
     const double rounding = 1e-10 * state.velocity.linfty_norm();
     for (unsigned int k = 0; k < points.size(); ++k)
@@ -220,6 +219,7 @@ namespace Signorini
           imbalance(old_state, state, force, points, iterate.multipliers);
         if (is_solved(state, points, iterate))
           {
+            refuse_passage(old_state, iterate, state);
             finish(old_state, points, iterate, state);
             return state;
           }
@@ -228,6 +228,29 @@ namespace Signorini
           throw StepFailed(failure_message(state, iterate.force_change));
         iterate = improve(force, points, iterate, state);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_passage(const State   &old_state,
+                                const Iterate &iterate,
+                                const State   &state) const
+  {
+    const auto        timing = timings_.measure(section_contact_);
+    std::vector<bool> closed(contact_.n_contacts());
+    for (unsigned int k = 0; k < closed.size(); ++k)
+      closed[k] = iterate.multipliers.normal[k] > 0. ||
+                  old_state.contact_forces.normal[k] > 0.;
+    const auto passed =
+      contact_.passed_targets({state.displacement, state.time},
+                              {old_state.displacement, old_state.time},
+                              old_state.gaps,
+                              closed);
+    if (!passed.empty())
+      throw StepFailed("nodes pass through a surface within the step: " +
+                       contact_.candidates_in_words(passed));
   }
 
 
@@ -468,6 +491,8 @@ namespace Signorini
                               State                     &state) const
   {
     const double step_size = state.time - old_state.time;
+    const auto   bounds =
+      contact_.friction_bounds(coefficients, state.contact_forces.normal);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const double          normal     = state.contact_forces.normal[k];
@@ -483,8 +508,8 @@ namespace Signorini
 
         // Stick is exact, so that friction below its bound is the sign of it.
         state.is_slipping[k] =
-          normal > 0. && std::hypot(tangential[0], tangential[1]) >=
-                           (1. - 1e-9) * coefficients[k] * normal;
+          normal > 0. && bounds[k] > 0. &&
+          std::hypot(tangential[0], tangential[1]) >= (1. - 1e-9) * bounds[k];
       }
   }
 

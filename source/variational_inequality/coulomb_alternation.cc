@@ -240,8 +240,11 @@ namespace Signorini
                              automatic_slip * system.scale();
     Alternation     alternation(system, start, slip);
     CoulombSolution solution;
-    double          least_change  = std::numeric_limits<double>::max();
-    unsigned int    last_progress = 0;
+    solution.law_tolerance =
+      2. * slip +
+      std::max(100. * control.force_tolerance, 1e-9) * system.scale();
+    double       least_change  = std::numeric_limits<double>::max();
+    unsigned int last_progress = 0;
     for (unsigned int step = 0;
          step < control.most_alternations && step < last_progress + patience;
          ++step)
@@ -270,7 +273,12 @@ namespace Signorini
             break;
           }
       }
-    solution.x            = alternation.forces();
+    solution.x = alternation.forces();
+    // Forces that settle without a solution, as those of jammed contacts do,
+    // must not pass.
+    solution.solved = solution.solved &&
+                      system.error(solution.x, system.residual(solution.x)) <=
+                        solution.law_tolerance;
     solution.n_iterations = alternation.n_iterations;
     if (!solution.solved)
       {

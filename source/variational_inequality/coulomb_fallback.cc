@@ -108,6 +108,8 @@ namespace Signorini
       unsigned int              n = 0;
     };
 
+    constexpr unsigned int n_directions = 10;
+
     bool
     is_planar(const CoulombSystem &system)
     {
@@ -121,11 +123,16 @@ namespace Signorini
 
 
   std::vector<double>
-  solve_coulomb_by_pivoting(const CoulombSystem &system)
+  solve_coulomb_by_pivoting(const CoulombSystem &system,
+                            const unsigned int   direction)
   {
     Assert(is_planar(system), ExcInternalError());
     const ComplementarityForm form(system);
-    const auto                z = solve_complementarity(form.M, form.q);
+    // Any positive numbers do; these repeat in every run.
+    std::vector<double> cover;
+    for (unsigned int i = 0; i < form.q.size(); ++i)
+      cover.push_back(1. + 0.9 * std::sin(double(direction) * (1. + 2. * i)));
+    const auto z = solve_complementarity(form.M, form.q, cover);
     return z ? form.forces(*z) : std::vector<double>();
   }
 
@@ -157,11 +164,13 @@ namespace Signorini
           return best;
       }
     if (is_planar(system))
-      {
-        const std::vector<double> pivoted = solve_coulomb_by_pivoting(system);
-        if (!pivoted.empty() && ends_from(pivoted))
-          return best;
-      }
+      for (unsigned int direction = 0; direction < n_directions; ++direction)
+        {
+          const std::vector<double> pivoted =
+            solve_coulomb_by_pivoting(system, direction);
+          if (!pivoted.empty() && ends_from(pivoted))
+            return best;
+        }
     for (const unsigned int n_sweeps : {400, 1500})
       {
         sweep_coulomb(system, n_sweeps, x);

@@ -55,6 +55,10 @@ namespace Signorini
     bool
     add_violated();
 
+    // Adds every contact within reach, without forces; false if there is none.
+    bool
+    add_all();
+
     // New forces on the working set, from gaps and slips as they are.
     void
     correct_forces();
@@ -75,9 +79,18 @@ namespace Signorini
     double
     length(const unsigned int k) const;
 
-    // How far the working set is from its law, m.
+    // How far the working set is from its law, m: of gaps, and of friction
+    // unless it is taken as it is.
     double
     working_set_error() const;
+
+    // The same with friction in any case.
+    double
+    coulomb_error() const;
+
+    // That friction taken as it is still fits normal forces corrected after it.
+    void
+    check_friction() const;
 
     bool
     working_set_has_friction() const;
@@ -85,6 +98,10 @@ namespace Signorini
     // The contacts at the given positions of the working set.
     std::vector<unsigned int>
     contacts_at(const std::vector<unsigned int> &positions) const;
+
+    /** @throws InterfaceError, always. */
+    [[noreturn]] static void
+    fail(const std::string &message, std::vector<unsigned int> contacts);
 
     const InterfaceProblem &problem;
     const CoulombMethod    &method;
@@ -97,6 +114,7 @@ namespace Signorini
     std::vector<char>                  in_working_set;
     std::vector<unsigned int>          working_set;
     bool                               friction_is_settled = false;
+    double                             law_tolerance       = 0.;
     double                             length_scale        = 0.;
   };
 } // namespace Signorini

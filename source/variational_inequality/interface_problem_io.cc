@@ -2,6 +2,7 @@
 #include <signorini/variational_inequality/interface_problem_io.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <istream>
 #include <limits>
 #include <ostream>
@@ -12,7 +13,7 @@ namespace Signorini
 
   namespace
   {
-    constexpr const char *title = "Signorini interface problem 1";
+    constexpr const char *title = "Signorini interface problem 2";
 
     // More DoFs than any dense interface can have: a damaged number should
     // not end in an allocation of terabytes.
@@ -51,12 +52,26 @@ namespace Signorini
           fail("the word `" + keyword + "'");
       }
 
+      // A stream does not read `inf', which is allowed for some numbers.
       double
-      number(const std::string &what) const
+      number(const std::string &what, const bool may_be_infinite = false) const
       {
-        double value = 0.;
-        if (!(in >> value) || !std::isfinite(value))
+        std::string word;
+        in >> word;
+        char        *end   = nullptr;
+        const double value = std::strtod(word.c_str(), &end);
+        if (word.empty() || *end != '\0' ||
+            !(std::isfinite(value) || (may_be_infinite && value > 0.)))
           fail("a number for " + what);
+        return value;
+      }
+
+      double
+      not_negative(const std::string &what, const bool may_be_infinite) const
+      {
+        const double value = number(what, may_be_infinite);
+        if (value < 0.)
+          fail(what + " that is not negative");
         return value;
       }
 
@@ -90,19 +105,46 @@ namespace Signorini
         InterfaceStiffness::from_cholesky_factor(n, std::move(lower)));
     }
 
-    InterfaceContact
-    read_contact(const Reader &reader, const unsigned int n)
+    SparseRow
+    read_row(const Reader &reader, const unsigned int n)
     {
-      InterfaceContact contact;
-      contact.gap = reader.number("a gap");
+      SparseRow          row;
       const unsigned int n_entries =
         reader.count("a number of entries", largest_size);
       for (unsigned int entry = 0; entry < n_entries; ++entry)
         {
           const unsigned int dof = reader.count("a DoF", n > 0 ? n - 1 : 0);
-          contact.normal.add(dof, reader.number("a coefficient"));
+          row.add(dof, reader.number("a coefficient"));
+        }
+      return row;
+    }
+
+    InterfaceContact
+    read_contact(const Reader &reader, const unsigned int n)
+    {
+      InterfaceContact contact;
+      contact.gap    = reader.number("a gap", /*may_be_infinite=*/true);
+      contact.normal = read_row(reader, n);
+      contact.friction_coefficient =
+        reader.not_negative("a friction coefficient", false);
+      contact.largest_friction =
+        reader.not_negative("a largest friction", true);
+      const unsigned int n_tangents = reader.count("a number of tangents", 2);
+      for (unsigned int j = 0; j < n_tangents; ++j)
+        {
+          contact.slip[j] = reader.number("a slip");
+          contact.tangents.push_back(read_row(reader, n));
         }
       return contact;
+    }
+
+    void
+    write_row(const SparseRow &row, std::ostream &out)
+    {
+      out << ' ' << row.size();
+      for (const auto &[dof, coefficient] : row)
+        out << ' ' << dof << ' ' << coefficient;
+      out << '\n';
     }
   } // namespace
 
@@ -121,14 +163,19 @@ namespace Signorini
     out << "force\n";
     for (const double force : problem.force())
       out << force << '\n';
-    out << "normals\n";
+    out << "rows\n";
     for (unsigned int k = 0; k < problem.n_contacts(); ++k)
       {
         const InterfaceContact &contact = problem.contact(k);
-        out << contact.gap << ' ' << contact.normal.size();
-        for (const auto &[dof, coefficient] : contact.normal)
-          out << ' ' << dof << ' ' << coefficient;
-        out << '\n';
+        out << contact.gap;
+        write_row(contact.normal, out);
+        out << contact.friction_coefficient << ' ' << contact.largest_friction
+            << ' ' << contact.tangents.size() << '\n';
+        for (unsigned int j = 0; j < contact.tangents.size(); ++j)
+          {
+            out << contact.slip[j];
+            write_row(contact.tangents[j], out);
+          }
       }
     out << "end" << std::endl;
     out.precision(old_precision);
@@ -160,7 +207,7 @@ namespace Signorini
       entry = reader.number("the force");
     problem.set_force(force);
 
-    reader.expect("normals");
+    reader.expect("rows");
     std::vector<InterfaceContact> contacts;
     for (unsigned int k = 0; k < n_contacts; ++k)
       contacts.push_back(read_contact(reader, n));

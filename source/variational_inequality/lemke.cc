@@ -12,13 +12,15 @@ namespace Signorini
     constexpr double smallest_pivot = 1e-11;
     constexpr double tie            = 1e-12;
 
-    // Rows of w - M z - z_0 (1, ..., 1) = q in terms of the basic variables.
+    // Rows of w - M z - z_0 cover = q in terms of the basic variables.
     // Variables: w_i is i, z_i is n + i, the artificial z_0 is 2 n; the last
     // column holds their values.
     class Tableau
     {
     public:
-      Tableau(const FullMatrix<double> &M, const std::vector<double> &q)
+      Tableau(const FullMatrix<double>  &M,
+              const std::vector<double> &q,
+              const std::vector<double> &cover)
         : n(q.size())
         , table(n, 2 * n + 2)
         , basis(n)
@@ -28,7 +30,7 @@ namespace Signorini
             table(i, i) = 1.;
             for (unsigned int j = 0; j < n; ++j)
               table(i, n + j) = -M(i, j);
-            table(i, 2 * n)     = -1.;
+            table(i, 2 * n)     = -cover[i];
             table(i, 2 * n + 1) = q[i];
             basis[i]            = i;
           }
@@ -40,7 +42,7 @@ namespace Signorini
         // 1. z_0 enters where q is most negative.
         unsigned int row = 0;
         for (unsigned int i = 1; i < n; ++i)
-          if (is_less(i, row, 1., 1.))
+          if (is_less(i, row, -table(i, 2 * n), -table(row, 2 * n)))
             row = i;
         if (!(value(row) < 0.))
           return true;
@@ -151,8 +153,10 @@ namespace Signorini
 
   std::optional<std::vector<double>>
   solve_complementarity(const FullMatrix<double>  &M,
-                        const std::vector<double> &q)
+                        const std::vector<double> &q,
+                        const std::vector<double> &cover)
   {
+    AssertDimension(cover.size(), q.size());
     AssertDimension(M.m(), q.size());
     AssertDimension(M.n(), q.size());
     // Values of the order of one, so that ties are told by one number.
@@ -166,7 +170,7 @@ namespace Signorini
     std::vector<double> scaled = q;
     for (double &entry : scaled)
       entry /= scale;
-    Tableau tableau(M, scaled);
+    Tableau tableau(M, scaled, cover);
     if (!tableau.run())
       return std::nullopt;
     std::vector<double> z = tableau.solution();

@@ -9,6 +9,7 @@
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/solid/assembler.h>
+#include <signorini/variational_inequality/interface_algorithm.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -18,6 +19,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -219,6 +221,101 @@ namespace
 
 
 
+  // A row of springs on a floor, 200 contacts with and without friction: the
+  // dense part of a step alone.
+  InterfaceProblem
+  springs_on_floor(const double friction_coefficient)
+  {
+    const unsigned int n_contacts = 200, n = 2 * n_contacts;
+    const double       spring = 3.7e8, gap = -1e-4;
+    FullMatrix<double> stiffness(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        stiffness(i, i) += 0.05 * spring * (1. + 0.1 * (i % 7));
+        if (i + 2 < n)
+          {
+            stiffness(i, i) += spring;
+            stiffness(i + 2, i + 2) += spring;
+            stiffness(i, i + 2) -= spring;
+            stiffness(i + 2, i) -= spring;
+          }
+        if (i % 2 == 0)
+          {
+            stiffness(i, i + 1) += 0.01 * spring;
+            stiffness(i + 1, i) += 0.01 * spring;
+          }
+      }
+    std::vector<InterfaceContact> contacts(n_contacts);
+    for (unsigned int k = 0; k < n_contacts; ++k)
+      {
+        contacts[k].normal               = {{2 * k + 1, -1.}};
+        contacts[k].gap                  = gap;
+        contacts[k].tangents             = {{{2 * k, 1.}}};
+        contacts[k].slip[0]              = -3e-3 * gap * std::sin(0.3 * k);
+        contacts[k].friction_coefficient = friction_coefficient;
+      }
+    InterfaceProblem problem;
+    problem.set_stiffness(InterfaceStiffness::from_matrix(stiffness));
+    problem.set_contacts(std::move(contacts));
+    return problem;
+  }
+
+
+
+  // Seconds of the first solve, and of one in a series of slowly changing
+  // forces.
+  std::pair<double, double>
+  interface_seconds(const std::string &name, const double friction_coefficient)
+  {
+    AlgorithmParameters parameters;
+    parameters.algorithm   = name;
+    const auto   algorithm = make_interface_algorithm(parameters);
+    const double load      = 1e3;
+    double       cold      = std::numeric_limits<double>::max();
+    double       warm      = cold;
+    for (unsigned int repetition = 0; repetition < 5; ++repetition)
+      {
+        InterfaceProblem  problem = springs_on_floor(friction_coefficient);
+        Vector<double>    force(problem.size());
+        InterfaceSolution solution;
+        for (unsigned int step = 0; step < 20; ++step)
+          {
+            for (unsigned int i = 0; i < force.size(); ++i)
+              force(i) = load * std::sin(0.1 * i + 0.01 * step);
+            problem.set_force(force);
+            const double time = seconds(
+              [&] { solution = algorithm->solve(problem, solution.forces); });
+            (step == 0 ? cold : warm) = std::min(step == 0 ? cold : warm, time);
+          }
+      }
+    return {cold, warm};
+  }
+
+
+
+  void
+  measure_friction()
+  {
+    std::cout << "Interface of 200 contacts, 400 unknowns\n";
+    const auto smooth = interface_seconds("ando", 0.);
+    print("without friction, first solve", 1e3 * smooth.first, "ms");
+    print("without friction, next step", 1e3 * smooth.second, "ms");
+    for (const std::string name : {"ando", "semismooth Newton", "two step"})
+      {
+        const auto rough = interface_seconds(name, 0.3);
+        print(name + ", next step", 1e3 * rough.second, "ms");
+        print(name + ", first solve, with / without friction",
+              rough.first / smooth.first,
+              "");
+        print(name + ", next step, with / without friction",
+              rough.second / smooth.second,
+              "");
+      }
+    std::cout << '\n';
+  }
+
+
+
   // A wavy ring of n nodes, and as many contactor points just outside of it:
   // the tree is built and every point projected, from nothing and from the
   // place of the last step.
@@ -301,6 +398,7 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, n_threads);
   limit_blas_threads(n_threads);
   std::cout << "Threads: " << n_threads << '\n';
+  measure_friction();
   measure_linear_steps();
   measure_large_block();
   measure_search();

@@ -2,12 +2,14 @@
 #include <signorini/variational_inequality/augmented_lagrangian.h>
 #include <signorini/variational_inequality/interface_error.h>
 #include <signorini/variational_inequality/quadratic_programme.h>
+#include <signorini/variational_inequality/semismooth_newton.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <random>
 
-#include "interface_reference.h"
+#include "friction_reference.h"
 
 using namespace Signorini;
 
@@ -86,6 +88,34 @@ BOOST_AUTO_TEST_CASE(one_node_by_hand)
              1e-14);
   BOOST_TEST(std::abs(problem.gap_after(0, solution.displacement) + 1. / 64.) <=
              1e-14);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(friction_agrees_with_newton)
+{
+  // Weak friction, so that there is one solution only.
+  std::mt19937 generator(41);
+  for (unsigned int trial = 0; trial < 30; ++trial)
+    BOOST_TEST_CONTEXT("trial " << trial)
+    {
+      const unsigned int m    = 1 + trial % 4;
+      auto               data = FrictionReference::random_spatial_problem(
+        m, m, /*at_one_node=*/false, generator);
+      for (InterfaceContact &contact : data.contacts)
+        contact.friction_coefficient *= 0.2;
+      const InterfaceProblem  problem  = InterfaceReference::make_problem(data);
+      const InterfaceSolution expected = SemismoothNewton().solve(problem, {});
+      const AugmentedLagrangian algorithm(20., 1e-11, 100000, 10.);
+      const InterfaceSolution   found = algorithm.solve(problem, {});
+      for (unsigned int i = 0; i < 3 * m; ++i)
+        BOOST_TEST(std::abs(found.displacement(i) - expected.displacement(i)) <=
+                   1e-7);
+      for (unsigned int k = 0; k < m; ++k)
+        for (unsigned int j = 0; j < 2; ++j)
+          BOOST_TEST(std::abs(found.forces.tangential[k][j] -
+                              expected.forces.tangential[k][j]) <= 1e-6);
+    }
 }
 
 

@@ -80,9 +80,22 @@ BOOST_AUTO_TEST_CASE(all_options)
   BOOST_TEST(parse({"--print-parameters"}).print_parameters);
 }
 
+BOOST_AUTO_TEST_CASE(interface_problems)
+{
+  const CommandLine line = parse({"solve-interface", "a", "b", "--threads=1"});
+  const std::vector<std::string> files = {"a", "b"};
+  BOOST_TEST(line.interface_files == files, boost::test_tools::per_element());
+  BOOST_TEST(line.prm_files.empty());
+  BOOST_TEST(parse({"a.prm", "solve-interface"}).interface_files.empty());
+  BOOST_TEST(Signorini::help_text().find("solve-interface FILE") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(messages)
 {
   BOOST_TEST(message_of({}) == "No .prm file is given.");
+  BOOST_TEST(message_of({"solve-interface"}) ==
+             "solve-interface: no file is given.");
   BOOST_TEST(message_of({"a.prm", "--chek"}) ==
              "Unknown option --chek. Did you mean \"--check\"?");
   BOOST_TEST(message_of({"a.prm", "--over"}) == "Unknown option --over.");

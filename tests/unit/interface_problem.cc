@@ -156,14 +156,65 @@ BOOST_AUTO_TEST_CASE(responses_are_kept_as_long_as_they_hold)
 
 
 
+BOOST_AUTO_TEST_CASE(tangents_and_the_matrix_of_compliances)
+{
+  InterfaceProblem problem = small();
+  auto             contacts =
+    std::vector<InterfaceContact>{problem.contact(0), problem.contact(1)};
+  contacts[0].tangents             = {{{0, 1.}, {1, -1.}}};
+  contacts[0].friction_coefficient = 0.3;
+  problem.set_contacts(contacts);
+  BOOST_TEST(!problem.knows_tangent_response(0, 0));
+  BOOST_TEST(std::abs(problem.tangent_response(0, 0)(0) - 0.5) <= rounding);
+  BOOST_TEST(std::abs(problem.tangent_response(0, 0)(1) + 0.25) <= rounding);
+
+  // 1. Rows in the order asked for: contact 1, then 0 with its tangent.
+  const auto check = [&](const std::vector<std::vector<double>> &expected,
+                         const bool                              friction) {
+    const auto &W = problem.compliance_matrix({1, 0}, friction).matrix();
+    BOOST_REQUIRE(W.m() == expected.size());
+    for (unsigned int i = 0; i < W.m(); ++i)
+      for (unsigned int j = 0; j < W.m(); ++j)
+        BOOST_TEST(std::abs(W(i, j) - expected[i][j]) <= rounding);
+  };
+  check({{0.25, -0.25, 0.25}, {-0.25, 0.75, 0.25}, {0.25, 0.25, 0.75}}, true);
+  check({{0.25, -0.25}, {-0.25, 0.75}}, false);
+
+  // 2. Gaps and slips change nothing; a tangent does, and only its response.
+  problem.set_slip(0, {{0.5, 0.}});
+  problem.set_gap(0, 3.);
+  BOOST_TEST(problem.slip_after(0, 0, Vector<double>(2)) == 0.5);
+  problem.set_contacts(contacts);
+  BOOST_TEST(problem.knows_tangent_response(0, 0));
+  contacts[0].tangents[0] = {{0, 2.}};
+  problem.set_contacts(contacts);
+  BOOST_TEST(problem.knows_response(0));
+  BOOST_TEST(!problem.knows_tangent_response(0, 0));
+  check({{0.25, -0.25, 0.}, {-0.25, 0.75, 1.}, {0., 1., 2.}}, true);
+
+  // 3. Another stiffness.
+  problem.set_stiffness(InterfaceStiffness::from_matrix(diagonal({4., 8.})));
+  BOOST_TEST(!problem.knows_tangent_response(0, 0));
+  check({{0.125, -0.125, 0.}, {-0.125, 0.375, 0.5}, {0., 0.5, 1.}}, true);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(text_round_trip_is_exact)
 {
   std::mt19937 generator(5);
   auto         data = InterfaceReference::random_problem(7, 5, generator);
   data.stiffness *= 1e9 / 3.;
   data.force *= 1e-7 / 3.;
-  data.contacts[0].gap            = 1e-300;
-  data.contacts[1]                = InterfaceContact{};
+  data.contacts[0].gap      = 1e-300;
+  data.contacts[1]          = InterfaceContact{};
+  data.contacts[1].gap      = std::numeric_limits<double>::infinity();
+  data.contacts[2].tangents = {{{0, 1. / 3.}}, {{1, 2.}, {6, -1e-9}}};
+  data.contacts[2].slip     = {{1e-5 / 3., -2.}};
+  data.contacts[2].friction_coefficient = 0.1;
+  data.contacts[3].tangents             = {{{4, -1.}}};
+  data.contacts[3].friction_coefficient = 1. / 7.;
+  data.contacts[3].largest_friction     = 1e6 / 3.;
   const InterfaceProblem original = InterfaceReference::make_problem(data);
   const InterfaceProblem copy     = from_text(as_text(original));
 
@@ -182,6 +233,12 @@ BOOST_AUTO_TEST_CASE(text_round_trip_is_exact)
     {
       BOOST_TEST(copy.contact(k).gap == original.contact(k).gap);
       BOOST_TEST((copy.contact(k).normal == original.contact(k).normal));
+      BOOST_TEST((copy.contact(k).tangents == original.contact(k).tangents));
+      BOOST_TEST((copy.contact(k).slip == original.contact(k).slip));
+      BOOST_TEST(copy.contact(k).friction_coefficient ==
+                 original.contact(k).friction_coefficient);
+      BOOST_TEST(copy.contact(k).largest_friction ==
+                 original.contact(k).largest_friction);
     }
   BOOST_TEST(as_text(copy) == as_text(original));
 }
@@ -215,6 +272,13 @@ BOOST_AUTO_TEST_CASE(damaged_text_is_refused)
   refuses("0.5 1 1 -1", "0.5 1 2 -1", "a DoF");
   refuses("0.5 1 1 -1", "0.5 1 1 x", "a coefficient");
   refuses("0.5 1 1 -1", "nan 1 1 -1", "a gap");
+  refuses("0.5 1 1 -1", "-inf 1 1 -1", "a gap");
+  refuses("0 inf 0", "inf inf 0", "a friction coefficient");
+  refuses("0 inf 0", "-0.1 inf 0", "a friction coefficient");
+  refuses("0 inf 0", "0 -1 0", "a largest friction");
+  refuses("0 inf 0", "0 inf 3", "a number of tangents");
+  refuses("0 inf 0", "0 inf 1 0.1x", "a slip");
+  refuses("problem 2", "problem 1", "first line");
   refuses("factor\n1", "factor\n-1", "diagonal");
   refuses("end", "", "`end'");
 }

@@ -114,6 +114,61 @@ BOOST_AUTO_TEST_CASE(each_violation_is_noticed)
 
 
 
+BOOST_AUTO_TEST_CASE(violations_of_friction)
+{
+  // S = 3 k in x and y, pressed with 6 k a onto a floor at y = -a and pulled
+  // with p k a along it: lambda = 3 k a, f = 1.5 k a.
+  const auto residual = [](const double                 k,
+                           const double                 a,
+                           const double                 pull,
+                           const double                 tau,
+                           const std::array<double, 2> &slip_so_far) {
+    InterfaceReference::Data data{FullMatrix<double>(3, 3),
+                                  Vector<double>(3),
+                                  {{{{1, -1.}}, a, {{{0, 1.}}, {{2, 1.}}}}}};
+    for (unsigned int i = 0; i < 3; ++i)
+      data.stiffness(i, i) = 3. * k;
+    data.force(0)                         = pull * k * a;
+    data.force(1)                         = -6. * k * a;
+    data.contacts[0].friction_coefficient = 0.5;
+    data.contacts[0].slip = {{slip_so_far[0] * a, slip_so_far[1] * a}};
+    InterfaceSolution solution;
+    solution.displacement.reinit(3);
+    solution.displacement(0) = (pull - tau) / 3. * a;
+    solution.displacement(1) = -a;
+    solution.forces          = InterfaceForces(std::vector<double>{3. * k * a});
+    solution.forces.tangential[0][0] = tau * k * a;
+    return Signorini::kkt_residual(InterfaceReference::make_problem(data),
+                                   solution);
+  };
+  // F = 6 k a and l = 2 a.
+  for (const double k : {1., 7.3e11})
+    for (const double a : {1., 5e-5})
+      {
+        const auto tolerance = boost::test_tools::tolerance(1e-12);
+        BOOST_TEST(residual(k, a, 1.2, 1.2, {{0., 0.}}).norm() <= 1e-15);
+        BOOST_TEST(residual(k, a, 3., 1.5, {{0., 0.}}).norm() <= 1e-15);
+        // Slip 0.1 a under half the bound: min(0.1 / 2, 0.75 / 6).
+        BOOST_TEST(residual(k, a, 1.05, 0.75, {{0., 0.}}).norm() == 0.05,
+                   tolerance);
+        // Slip 1.0 a under half the bound.
+        BOOST_TEST(residual(k, a, 3.75, 0.75, {{0., 0.}}).norm() == 0.125,
+                   tolerance);
+        // A force of 2.1 beyond the bound of 1.5.
+        BOOST_TEST(residual(k, a, 2.1, 2.1, {{0., 0.}}).friction_excess ==
+                     0.6 * k * a,
+                   tolerance);
+        BOOST_TEST(residual(k, a, 2.1, 2.1, {{0., 0.}}).norm() == 0.1,
+                   tolerance);
+        // Slip against the force, and across it.
+        BOOST_TEST(residual(k, a, 1.5, 1.5, {{-0.2, 0.}}).norm() == 0.1,
+                   tolerance);
+        BOOST_TEST(residual(k, a, 1.5, 1.5, {{0., 0.4}}).friction > 0.1);
+      }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(zero_problems)
 {
   // 1. No force, no gap, no displacement.

@@ -111,8 +111,40 @@ BOOST_AUTO_TEST_CASE(penetration_falls_with_the_stiffness)
 
 
 
+BOOST_AUTO_TEST_CASE(friction_by_hand)
+{
+  // One node, S = 3 in x and y, r = (p, -6), gap 1, mu = 0.5:
+  // lambda = K / (1 + K / 3), tau = K_T p / (3 + K_T) up to mu lambda.
+  for (const double pull : {-2., 0.3, 1.3, 5.})
+    for (const double K : {1., 30., 1e6})
+      for (const double K_T : {0., 2., 1e9})
+        {
+          InterfaceReference::Data data{dealii::FullMatrix<double>(2, 2),
+                                        Vector<double>(2),
+                                        {{{{1, -1.}}, 1., {{{0, 1.}}}}}};
+          data.stiffness(0, 0) = data.stiffness(1, 1) = 3.;
+          data.force(0)                               = pull;
+          data.force(1)                               = -6.;
+          data.contacts[0].friction_coefficient       = 0.5;
+          const InterfaceSolution solution =
+            Penalty(K, K_T).solve(InterfaceReference::make_problem(data), {});
+          const double tangential = K_T == 0. ? K : K_T;
+          const double lambda     = K / (1. + K / 3.);
+          const double stick      = tangential * pull / (3. + tangential);
+          const double tau =
+            std::min(std::max(stick, -0.5 * lambda), 0.5 * lambda);
+          BOOST_TEST(std::abs(solution.forces.normal[0] - lambda) <= 1e-13);
+          BOOST_TEST(std::abs(solution.forces.tangential[0][0] - tau) <= 1e-13);
+          BOOST_TEST(std::abs(solution.displacement(0) - (pull - tau) / 3.) <=
+                     1e-13);
+        }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(stiffness_has_to_be_positive)
 {
+  BOOST_CHECK_THROW(Penalty(1., -1.), InputError);
   BOOST_CHECK_THROW(Penalty(0.), InputError);
   BOOST_CHECK_THROW(Penalty(-1.), InputError);
   BOOST_CHECK_THROW(Penalty(std::numeric_limits<double>::infinity()),

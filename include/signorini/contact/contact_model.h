@@ -134,6 +134,18 @@ namespace Signorini
     std::string
     held_penetration(const Configuration &configuration) const;
 
+    /**
+     * Open candidates that pass through their target within the step, although
+     * they are outside at its end.
+     * @param start_gaps at the start of the step, m
+     * @param closed     candidates with a contact force at either end
+     */
+    std::vector<unsigned int>
+    passed_targets(const Configuration       &now,
+                   const Configuration       &before,
+                   const std::vector<double> &start_gaps,
+                   const std::vector<bool>   &closed) const;
+
     /** `floor at (0 0), ...' for the first few of these candidates. */
     std::string
     candidates_in_words(const std::vector<unsigned int> &candidates) const;
@@ -150,6 +162,11 @@ namespace Signorini
     std::vector<InterfaceContact>
     constraints(const std::vector<ContactPoint<dim>> &points,
                 const std::vector<double>            &coefficients) const;
+
+    /** min(mu_k lambda_k, tau_max B_k) of each candidate, N. */
+    std::vector<double>
+    friction_bounds(const std::vector<double> &coefficients,
+                    const std::vector<double> &normal_forces) const;
 
     /** forces += factor sum_k (lambda_k dg_k/dq - tau_k.ds_k/dq). */
     void

@@ -74,6 +74,19 @@ namespace Signorini
     virtual std::optional<TargetPoint<dim>>
     closest(const ContactorPoint<dim> &point) const = 0;
 
+    /**
+     * Does a point that is outside at both ends of the step pass through the
+     * target in between? Positions are those of the start and the end; the
+     * point and the target move evenly.
+     * @param start_gap m, infinite if the target was out of reach
+     * @param unknown   of the point itself: what contains it is not passed
+     */
+    virtual bool
+    is_passed(const dealii::Point<dim> &start,
+              const dealii::Point<dim> &end,
+              const double              start_gap,
+              const unsigned int        unknown) const = 0;
+
     /** Where the interpolation of the surface changes: its nodes, m. */
     virtual std::vector<dealii::Point<dim>>
     joints() const

@@ -20,8 +20,11 @@ namespace Signorini
   /** The options of the program, as they were given. */
   struct CommandLine
   {
-    /** At least one, unless one of the three below is asked for. */
+    /** At least one, unless something below is asked for. */
     std::vector<std::string> prm_files;
+
+    /** The files of the command solve-interface. */
+    std::vector<std::string> interface_files;
 
     bool help             = false;
     bool version          = false;
@@ -34,7 +37,7 @@ namespace Signorini
 
     /**
      * @throws CommandLineError for an unknown option, a missing or wrong
-     * value, or no .prm file.
+     * value, or no file.
      */
     static CommandLine
     parse(const int argc, const char *const *argv);

@@ -43,6 +43,13 @@ namespace Signorini
    */
   void
   print_parameters(std::ostream &stream);
+
+  /**
+   * Print how the exact algorithms solve the interface problem in a file.
+   * @throws InputError if the file cannot be read or is no interface problem.
+   */
+  void
+  solve_interface(const std::string &file, std::ostream &stream);
 } // namespace Signorini
 
 #endif

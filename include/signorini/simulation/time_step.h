@@ -108,6 +108,12 @@ namespace Signorini
               const std::vector<ContactPoint<dim>> &points,
               const Iterate                        &iterate) const;
 
+    // @throws StepFailed if a node was through a target and out again.
+    void
+    refuse_passage(const State   &old_state,
+                   const Iterate &iterate,
+                   const State   &state) const;
+
     Iterate
     improve(const dealii::Vector<double>         &residual,
             const std::vector<ContactPoint<dim>> &points,

@@ -52,14 +52,17 @@ namespace Signorini
 
   /**
    * Coulomb's law by solve_given_bounds(), the bound f_k = min(mu_k lambda_k,
-   * largest friction) taken from the last iterate, until the forces change by
-   * less than 0.01 % [MC, sec. 5.2] or the states (open, stick, slip) do not
-   * change. Then the linear system of these states, with the bound inside, ends
-   * the iteration exactly, if it confirms them; otherwise it goes on.
+   * largest friction) taken from the last iterate. [MC, sec. 5.2] repeats that
+   * until the forces change by less than 0.01 %. Here each iterate proposes a
+   * state (open, stick, slip), and the linear system of this state with the
+   * bound inside, to which the repetition would lead, is solved at once. If it
+   * confirms the state, the law holds exactly; otherwise the next bound
+   * follows.
    *
-   * The state of the start is tried first: in a time loop it is mostly that of
-   * the last step. If the bound does not settle, the fallback for Coulomb's law
-   * goes on from the last point.
+   * From the forces of a last step or iteration only few contacts change their
+   * state: up to four linear systems correct it, and only if none of them is
+   * confirmed the planes are set up. If the bound does not settle, the fallback
+   * for Coulomb's law goes on from the last point.
    */
   CoulombSolution
   solve_coulomb_ando(const CoulombSystem       &system,

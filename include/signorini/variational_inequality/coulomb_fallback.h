@@ -19,16 +19,19 @@ namespace Signorini
    *
    * and a second gamma for a largest friction. Its matrix is copositive.
    *
+   * @param direction number of the direction from which the solution is
+   *   approached.
    * @return the forces x, or an empty list if it ends on a ray.
    */
   std::vector<double>
-  solve_coulomb_by_pivoting(const CoulombSystem &system);
+  solve_coulomb_by_pivoting(const CoulombSystem &system,
+                            const unsigned int   direction = 0);
 
   /**
    * What is done when a faster method came back to a state or did not converge:
    * block Gauss-Seidel sweeps, after some of which Newton's method tries to end
-   * exactly; with one tangent a contact, then Lemke's pivoting, and Newton's
-   * method from its result.
+   * exactly; with one tangent a contact, then Lemke's pivoting from several
+   * directions, and Newton's method from its result.
    *
    * @param start of the sweeps.
    */

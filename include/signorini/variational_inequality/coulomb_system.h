@@ -145,6 +145,9 @@ namespace Signorini
 
     unsigned int n_iterations = 0; // linear systems, or faces of a programme
 
+    // How far from the law the method leaves it by design, m.
+    double law_tolerance = 0.;
+
     // Positions of the contacts that a fallback had to solve, or that are
     // still wrong if it is not solved.
     bool                      fell_back = false;

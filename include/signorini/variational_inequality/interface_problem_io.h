@@ -11,7 +11,7 @@ namespace Signorini
   /**
    * Writes a problem as text, so that a step that failed becomes a test:
    *
-   *   Signorini interface problem 1
+   *   Signorini interface problem 2
    *   size n
    *   contacts m
    *   factor                   L, row by row up to the diagonal
@@ -21,12 +21,17 @@ namespace Signorini
    *   force                    r, one number a line
    *   r_0
    *   ...
-   *   normals                  one line a contact: the gap, the number of
-   *   G_0 2 dof a dof a        entries of its row, and (DoF, coefficient)
+   *   rows                     for each contact one line of its normal:
+   *   G_0 2 dof a dof a        gap, number of entries, (DoF, coefficient);
+   *   mu_0 c_0 1               one of its friction: coefficient, largest
+   *   s_0 2 dof a dof a        friction, number of tangents; and one for each
+   *                            tangent: slip, number of entries, entries
    *   ...
    *   end
    *
-   * All numbers have 17 digits, so that reading returns the same bits.
+   * All numbers have 17 digits, so that reading returns the same bits. The gap
+   * of a contact out of reach, and a largest friction that does not exist, are
+   * written `inf'.
    * @throws ComputationError if the stream fails.
    */
   void

@@ -15,12 +15,16 @@ namespace Signorini
    * solution whenever M is copositive and z^T q >= 0 for every z of the
    * homogeneous problem.
    *
+   * @param cover positive numbers of the order of one, one a row: the direction
+   *   from which the solution is approached. Where a solution exists, but not
+   *   by the rule above, another direction may find it.
    * @return z, to the rounding that pivoting gathers; nothing if it ends on a
    *   ray.
    */
   std::optional<std::vector<double>>
   solve_complementarity(const dealii::FullMatrix<double> &M,
-                        const std::vector<double>        &q);
+                        const std::vector<double>        &q,
+                        const std::vector<double>        &cover);
 } // namespace Signorini
 
 #endif
