@@ -53,15 +53,11 @@ namespace Signorini
       std::optional<TargetPoint<3>>
       closest(const ContactorPoint<3> &point) const override;
 
-      // Not looked for: the search distance has to be wider than a step.
       bool
-      is_passed(const Point<3> &,
-                const Point<3> &,
-                const double,
-                const unsigned int) const override
-      {
-        return false;
-      }
+      is_passed(const Point<3>    &start,
+                const Point<3>    &end,
+                const double       start_gap,
+                const unsigned int unknown) const override;
 
     private:
       // sum_a N_a v_a over the nodes of a facet.
@@ -91,8 +87,35 @@ namespace Signorini
       const std::vector<Point<3>>     positions_before_;
       const std::vector<Tensor<1, 3>> normals_;
 
+      double largest_motion_ = 0.; // of a node over the step, m
+
       RTree<std::pair<BoundingBox<3>, unsigned int>> tree_;
     };
+
+
+
+    // Does a path enter through a triangle, against its normal? Its end does
+    // not count: what is there has arrived, but not passed.
+    bool
+    enters(const Point<3>                &start,
+           const Tensor<1, 3>            &path,
+           const std::array<Point<3>, 3> &corners)
+    {
+      const Tensor<1, 3> a           = corners[1] - corners[0];
+      const Tensor<1, 3> b           = corners[2] - corners[0];
+      const Tensor<1, 3> arm         = start - corners[0];
+      const Tensor<1, 3> normal      = cross_product_3d(a, b);
+      const double       determinant = -(path * normal);
+      if (!(determinant > 0.))
+        return false;
+      // start + t path = corner + u a + v b
+      const double       t    = arm * normal / determinant;
+      const Tensor<1, 3> turn = cross_product_3d(arm, path);
+      const double       u    = -(b * turn) / determinant;
+      const double       v    = a * turn / determinant;
+      return t > 0. && t < 1. - rounding_of_place &&
+             std::min({u, v, 1. - u - v}) > -rounding_of_place;
+    }
 
 
 
@@ -117,6 +140,10 @@ namespace Signorini
           boxes.emplace_back(BoundingBox<3>(corners), boxes.size());
         }
       tree_ = pack_rtree(boxes);
+      for (unsigned int n = 0; n < positions_.size(); ++n)
+        largest_motion_ =
+          std::max(largest_motion_,
+                   positions_[n].distance(positions_before_[n]));
     }
 
 
@@ -252,6 +279,35 @@ namespace Signorini
       if (!best)
         return {};
       return target_point(*best);
+    }
+
+
+
+    // Each facet where it was, and the path as seen from it.
+    bool
+    PlacedFacets::is_passed(const Point<3>    &start,
+                            const Point<3>    &end,
+                            const double       start_gap,
+                            const unsigned int unknown) const
+    {
+      if (std::min(start_gap, reach_) >= start.distance(end) + largest_motion_)
+        return false;
+      constexpr std::array<double, 4> middle = {{0.25, 0.25, 0.25, 0.25}};
+      for (unsigned int f = 0; f < surface_.faces.size(); ++f)
+        {
+          if (carries(f, unknown))
+            continue;
+          const Tensor<1, 3> path = end - start -
+                                    interpolate(f, middle, positions_) +
+                                    interpolate(f, middle, positions_before_);
+          const auto corner = [&](const unsigned int a) {
+            return positions_before_[surface_.faces[f][a]];
+          };
+          if (enters(start, path, {{corner(0), corner(1), corner(2)}}) ||
+              enters(start, path, {{corner(1), corner(3), corner(2)}}))
+            return true;
+        }
+      return false;
     }
 
 

@@ -20,7 +20,8 @@ namespace
   }
 
   // A block with three elements along its lower side over one with four, whose
-  // nodes do not face each other.
+  // nodes do not face each other: near joints, which are rounded, gradients are
+  // approximate.
   TwoBodies
   blocks(const Kind              kind,
          const unsigned int      degree,
@@ -29,7 +30,7 @@ namespace
          const double            angle = 0.)
   {
     const double alpha = angle * numbers::PI / 180.;
-    return {turned_rectangle("0.4, 1 ; 2.5, 2", "3, 1", degree, angle),
+    return {turned_rectangle("0.3, 1 ; 2.55, 2", "3, 1", degree, angle),
             "bottom",
             turned_rectangle("0, 0 ; 3, 1", "4, 1", degree, angle),
             "top",
@@ -129,9 +130,9 @@ namespace
   TwoBodies
   rings(const Kind kind, const unsigned int degree)
   {
-    return {ring(0.5, 1., "16, 1", 5., degree),
+    return {ring(0.5, 1., "16, 1", 1.875, degree),
             "outer",
-            ring(1.02, 2., "22, 1", 0., degree),
+            ring(1.02, 2., "24, 1", 0., degree),
             "inner",
             of_kind(kind),
             node_to_surface};
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness_of_mortar)
 
 
 // Closed curves: gradients, stiffness, and the gap of 0.02, from which facets
-// are off by up to the sagitta of 22 pieces, 1.02 (1 - cos(pi/22)).
+// are off by up to the sagitta of 24 pieces, 1.02 (1 - cos(pi/24)).
 BOOST_AUTO_TEST_CASE(ring_in_ring)
 {
   std::vector<double> errors;
@@ -230,7 +231,7 @@ BOOST_AUTO_TEST_CASE(ring_in_ring)
                                    some_multipliers(
                                      bodies.contact.n_contacts())) < 1e-6);
     }
-  const double sagitta = 1.02 * (1. - std::cos(numbers::PI / 22.));
+  const double sagitta = 1.02 * (1. - std::cos(numbers::PI / 24.));
   BOOST_TEST(errors[0] < 0.02 * sagitta); // spline
   BOOST_TEST(errors[1] < sagitta);        // facets
   BOOST_TEST(errors[1] > 0.5 * sagitta);

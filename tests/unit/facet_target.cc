@@ -194,6 +194,39 @@ BOOST_AUTO_TEST_CASE(slip)
 
 
 
+// A node that flies through the face, while the face moves, too: from above,
+// not from below, not beside it, and not by where it arrives.
+BOOST_AUTO_TEST_CASE(passage)
+{
+  const Boxes    boxes(1, 0., "");
+  Vector<double> moved(boxes.u);
+  for (const auto &node : boxes.solid.parts()[1].body->nodes())
+    moved[node.dofs[2]] = 0.5;
+  const FacetTarget target(*boxes.solid.parts()[1].body,
+                           "front",
+                           SurfaceInterpolation());
+  const auto        still  = target.place({boxes.u, 1.}, {boxes.u, 0.});
+  const auto        rising = target.place({moved, 1.}, {boxes.u, 0.});
+  const auto passes = [](const auto &placed, const double z, const double to) {
+    return placed->is_passed(Point<3>(0.4, 0.55, z),
+                             Point<3>(0.41, 0.5, to),
+                             std::abs(z - 1.),
+                             numbers::invalid_unsigned_int);
+  };
+  BOOST_TEST(passes(still, 1.2, 0.7));
+  BOOST_TEST(!passes(still, 1.2, 1.));
+  BOOST_TEST(!passes(still, 1.2, 1.1));
+  BOOST_TEST(!passes(still, 0.7, 1.2));
+  BOOST_TEST(passes(rising, 1.2, 1.4));
+  BOOST_TEST(!passes(rising, 1.2, 1.6));
+  BOOST_TEST(!still->is_passed(Point<3>(1.4, 0.5, 1.2),
+                               Point<3>(1.4, 0.5, 0.7),
+                               0.2,
+                               numbers::invalid_unsigned_int));
+}
+
+
+
 // A plate seen from a ball of radius 1: gaps are off by no more than the ball
 // is from its facets, and normals by far less than those of facets. From one
 // mesh to the next gaps fall with h^2, normals more slowly where the mesh is
