@@ -1,5 +1,6 @@
 #include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/initial_acceleration.h>
+#include <signorini/simulation/slip.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
 
@@ -134,7 +135,7 @@ namespace Signorini
         solid_.mass_redistribution().extrapolate(state.velocity);
         balance_initial_acceleration(solid_,
                                      evaluate_contact(state, state),
-                                     friction_coefficients(state),
+                                     friction_coefficients(contact_, state),
                                      system_,
                                      state);
       }
@@ -147,25 +148,6 @@ namespace Signorini
     measure_energy(solid_, state);
     state.energy.initial = state.energy.kinetic + state.energy.stored;
     return state;
-  }
-
-
-
-  template <int dim>
-  void
-  TimeStep<dim>::find_initial_slip(const std::vector<ContactPoint<dim>> &points,
-                                   State &state) const
-  {
-    const double rounding = 1e-10 * state.velocity.linfty_norm();
-    for (unsigned int k = 0; k < points.size(); ++k)
-      if (state.contact_forces.normal[k] > 0.)
-        {
-          double square = 0.;
-          for (const SparseRow &row : points[k].slip_gradients)
-            square += std::pow(row.dot(state.velocity), 2);
-          state.slip_rates[k]  = std::sqrt(square);
-          state.is_slipping[k] = state.slip_rates[k] > rounding;
-        }
   }
 
 
@@ -207,7 +189,7 @@ namespace Signorini
       throw ComputationError("Contact: " + held);
 
     Iterate iterate = {old_state.contact_forces,
-                       friction_coefficients(old_state),
+                       friction_coefficients(contact_, old_state),
                        std::numeric_limits<double>::max(),
                        0.};
     scale(iterate.multipliers, multiplier_factor_);
@@ -337,23 +319,6 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<double>
-  TimeStep<dim>::friction_coefficients(const State &state) const
-  {
-    std::vector<double> coefficients(contact_.n_contacts());
-    for (const auto &pair : contact_.pairs())
-      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-        {
-          const unsigned int k = pair.first_contact + n;
-          coefficients[k] = pair.friction.coefficient(state.is_slipping[k] == 0,
-                                                      state.slip_rates[k]);
-        }
-    return coefficients;
-  }
-
-
-
-  template <int dim>
   void
   TimeStep<dim>::update_rates(const State &old_state,
                               const double step_size,
@@ -471,7 +436,7 @@ namespace Signorini
     scale(state.contact_forces, 1. / multiplier_factor_);
     for (unsigned int k = 0; k < points.size(); ++k)
       state.gaps[k] = points[k].gap;
-    measure_slip(old_state, points, iterate.coefficients, state);
+    measure_slip(contact_, old_state, points, iterate.coefficients, state);
     if (settings_.time.dynamic)
       {
         solid_.mass_redistribution().extrapolate(state.velocity);
@@ -485,38 +450,6 @@ namespace Signorini
     measure_support_forces(solid_, contact_, points, state);
     measure_energy(solid_, state);
     measure_work(solid_, contact_, old_state, points, state);
-  }
-
-
-
-  template <int dim>
-  void
-  TimeStep<dim>::measure_slip(const State                          &old_state,
-                              const std::vector<ContactPoint<dim>> &points,
-                              const std::vector<double> &coefficients,
-                              State                     &state) const
-  {
-    const double step_size = state.time - old_state.time;
-    const auto   bounds =
-      contact_.friction_bounds(coefficients, state.contact_forces.normal);
-    for (unsigned int k = 0; k < points.size(); ++k)
-      {
-        const double          normal     = state.contact_forces.normal[k];
-        const auto           &tangential = state.contact_forces.tangential[k];
-        std::array<double, 2> slip       = {{0., 0.}};
-        if (normal > 0.)
-          slip = points[k].slip;
-        else
-          state.slips[k] = slip;
-        for (unsigned int j = 0; j < 2; ++j)
-          state.slips[k][j] += slip[j];
-        state.slip_rates[k] = std::hypot(slip[0], slip[1]) / step_size;
-
-        // Stick is exact, so that friction below its bound is the sign of it.
-        state.is_slipping[k] =
-          normal > 0. && bounds[k] > 0. &&
-          std::hypot(tangential[0], tangential[1]) >= (1. - 1e-9) * bounds[k];
-      }
   }
 
 

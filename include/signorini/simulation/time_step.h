@@ -77,20 +77,11 @@ namespace Signorini
       double              motion;       // largest of the correction, m
     };
 
-    // Contacts that the initial velocity makes slip.
-    void
-    find_initial_slip(const std::vector<ContactPoint<dim>> &points,
-                      State                                &state) const;
-
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 
     std::vector<ContactPoint<dim>>
     evaluate_contact(const State &state, const State &old_state) const;
-
-    // mu of each candidate, from how it slipped in a step.
-    std::vector<double>
-    friction_coefficients(const State &state) const;
 
     // Accelerations and velocities that belong to the displacement of `state`.
     void
@@ -132,13 +123,6 @@ namespace Signorini
            const std::vector<ContactPoint<dim>> &points,
            const Iterate                        &iterate,
            State                                &state);
-
-    // Slip, its rate, and where there was any.
-    void
-    measure_slip(const State                          &old_state,
-                 const std::vector<ContactPoint<dim>> &points,
-                 const std::vector<double>            &coefficients,
-                 State                                &state) const;
 
     const SolidModel<dim>   &solid_;
     const ContactModel<dim> &contact_;
