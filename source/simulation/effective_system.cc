@@ -78,8 +78,9 @@ namespace Signorini
       pose_interface_problem(points, multipliers, coefficients, reduced_force);
       solution = algorithm_->solve(problem_, multipliers);
 
-      // The conditions of optimality are not those that a penalty obeys.
-      correction.kkt_residual = algorithm_->enforces_exactly() ?
+      // The conditions of optimality are not those that a penalty obeys, or a
+      // friction that creeps.
+      correction.kkt_residual = algorithm_->obeys_the_law() ?
                                   kkt_residual(problem_, solution).norm() :
                                   0.;
     }

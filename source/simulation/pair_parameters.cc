@@ -63,7 +63,7 @@ namespace Signorini
          "refuse|press fit|adjust",
          "Contactor nodes inside of their target at t = 0. refuse: an error. "
          "press fit: they are pushed out with strain until the Press fit end. "
-         "adjust: the mesh is moved onto the target, free of strain."},
+         "adjust: the overlap counts as contact, free of strain."},
         {"Press fit end",
          "1",
          "",

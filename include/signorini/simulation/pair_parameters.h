@@ -17,7 +17,7 @@ namespace Signorini
   {
     refuse,    // it is an error
     press_fit, // it is pushed out with strain, over a ramp in time
-    adjust     // it is moved onto the target before the run, without strain
+    adjust     // its gap counts from there, without strain
   };
 
   /**

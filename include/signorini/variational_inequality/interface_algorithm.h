@@ -37,6 +37,14 @@ namespace Signorini
     virtual bool
     enforces_exactly() const = 0;
 
+    /** Does the solution obey the law of the problem, friction included, so
+     * that its KKT residual is that of the algorithm? */
+    virtual bool
+    obeys_the_law() const
+    {
+      return enforces_exactly();
+    }
+
   private:
     /** Solves a problem in which at least one contact closes. */
     virtual InterfaceSolution

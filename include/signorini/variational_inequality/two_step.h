@@ -25,6 +25,13 @@ namespace Signorini
     bool
     enforces_exactly() const override;
 
+    /** Not if a slip was chosen over which friction is regularised. */
+    bool
+    obeys_the_law() const override
+    {
+      return control.regularisation_slip == 0.;
+    }
+
   private:
     /** @throws InputError for friction in three dimensions. */
     InterfaceSolution
