@@ -88,7 +88,8 @@ namespace Signorini
     correction.motion.reinit(residual.size());
     solver_->expand(solution.displacement, correction.motion);
     solid_.constraints().distribute(correction.motion);
-    correction.multipliers = std::move(solution.forces);
+    correction.multipliers       = std::move(solution.forces);
+    correction.fallback_contacts = std::move(solution.fallback_contacts);
     return correction;
   }
 

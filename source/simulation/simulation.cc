@@ -178,6 +178,14 @@ namespace Signorini
         {
           State next = time_step_.advance(state, size);
           step_size_ = size;
+          if (!time_step_.fallbacks().empty())
+            {
+              ++n_fallbacks_;
+              log.detail("step " + std::to_string(next.step) +
+                         ": the active set came back and a globally "
+                         "convergent method solved the contact of " +
+                         time_step_.fallbacks());
+            }
           return next;
         }
       catch (const StepFailed &failure)
@@ -310,8 +318,8 @@ namespace Signorini
     text << std::setprecision(4) << "finished at t = " << state.time
          << " s: " << state.step << " steps, " << n_iterations_
          << " iterations (" << double(n_iterations_) / std::max(1u, state.step)
-         << " a step), " << n_cuts_ << " cuts, "
-         << format_duration(seconds_since(start_));
+         << " a step), " << n_cuts_ << " cuts, " << n_fallbacks_
+         << " with cycles, " << format_duration(seconds_since(start_));
     log.line(text.str());
 
     const auto largest = [&](const std::string &column) {

@@ -173,6 +173,7 @@ namespace Signorini
   TimeStep<dim>::advance(const State &old_state, const double step_size)
   {
     system_.factorise(effective_factors(step_size));
+    fallbacks_.clear();
     State state = old_state;
     ++state.step;
     state.time += step_size;
@@ -284,6 +285,9 @@ namespace Signorini
                                           iterate.coefficients);
         state.displacement += correction.motion;
         state.kkt_residual = correction.kkt_residual;
+        if (!correction.fallback_contacts.empty())
+          fallbacks_ =
+            contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
         const auto timing    = timings_.measure(section_residual_);
         state.internal_force = solid_.internal_force(state.displacement);

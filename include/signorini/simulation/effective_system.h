@@ -47,6 +47,10 @@ namespace Signorini
       dealii::Vector<double> motion;      // of all unknowns, m
       InterfaceForces        multipliers; // of the candidates, N
       double                 kkt_residual;
+
+      // Where the algorithm met a set of contacts twice, so that a globally
+      // convergent method took over.
+      std::vector<unsigned int> fallback_contacts;
     };
 
     /** The models and the timings must outlive the object. */

@@ -93,6 +93,7 @@ namespace Signorini
     State                                 shown_state_; // of the last fields
     double                                step_size_;   // of the last step
     unsigned int                          n_cuts_       = 0;
+    unsigned int                          n_fallbacks_  = 0; // steps
     unsigned int                          n_iterations_ = 0;
     std::chrono::steady_clock::time_point start_;
   };

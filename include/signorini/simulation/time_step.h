@@ -10,6 +10,7 @@
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace Signorini
 {
@@ -59,6 +60,14 @@ namespace Signorini
      */
     State
     advance(const State &old_state, const double step_size);
+
+    /** Where active sets cycled in the last step and a globally convergent
+     * method solved the interface problem: in words, or empty. */
+    const std::string &
+    fallbacks() const
+    {
+      return fallbacks_;
+    }
 
     /** That of the last iteration. */
     const InterfaceProblem &
@@ -133,6 +142,7 @@ namespace Signorini
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;      // of a node, kg
     double                   largest_stiffness_; // of the diagonal, N/m
+    std::string              fallbacks_;
     unsigned int             section_residual_;
     unsigned int             section_contact_;
   };
