@@ -1,4 +1,5 @@
 #include <signorini/named_list.h>
+#include <signorini/output/surface_table.h>
 #include <signorini/simulation/result_fields.h>
 
 #include <cmath>
@@ -254,6 +255,17 @@ namespace Signorini
         data.push_back(outline_data(*body, *state_));
     if (!data.empty())
       surfaces.write(data, state_->time);
+  }
+
+
+
+  template <int dim>
+  void
+  ResultFields<dim>::write_contact_tables(const std::string &folder) const
+  {
+    for (const auto &pair : problem_.contact->pairs())
+      write_surface_table(surface_data(pair),
+                          folder + "/" + pair.name + ".csv");
   }
 
 

@@ -141,6 +141,7 @@ namespace Signorini
           }
       }
     files.history.flush();
+    fields_.write_contact_tables(folder);
     summarise(state, log);
     if (!max_steps || *max_steps >= n_steps)
       check(log);

@@ -41,6 +41,10 @@ namespace Signorini
     void
     write(FieldWriter<dim> &fields, SurfaceWriter<dim> &surfaces) const;
 
+    /** Writes PAIR.csv for each pair into a folder: the values at the nodes. */
+    void
+    write_contact_tables(const std::string &folder) const;
+
   private:
     SurfaceData<dim>
     surface_data(const ContactPair<dim> &pair) const;
