@@ -89,6 +89,7 @@ namespace Signorini
     solver_->expand(solution.displacement, correction.motion);
     solid_.constraints().distribute(correction.motion);
     correction.multipliers       = std::move(solution.forces);
+    correction.is_slipping       = std::move(solution.is_slipping);
     correction.fallback_contacts = std::move(solution.fallback_contacts);
     return correction;
   }

@@ -43,32 +43,21 @@ namespace Signorini
 
   template <int dim>
   void
-  measure_slip(const ContactModel<dim>              &contact,
-               const State                          &old_state,
+  measure_slip(const State                          &old_state,
                const std::vector<ContactPoint<dim>> &points,
-               const std::vector<double>            &coefficients,
                State                                &state)
   {
     const double step_size = state.time - old_state.time;
-    const auto   bounds =
-      contact.friction_bounds(coefficients, state.contact_forces.normal);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
-        const double          normal     = state.contact_forces.normal[k];
-        const auto           &tangential = state.contact_forces.tangential[k];
-        std::array<double, 2> slip       = {{0., 0.}};
-        if (normal > 0.)
+        std::array<double, 2> slip = {{0., 0.}};
+        if (state.contact_forces.normal[k] > 0.)
           slip = points[k].slip;
         else
           state.slips[k] = slip;
         for (unsigned int j = 0; j < 2; ++j)
           state.slips[k][j] += slip[j];
         state.slip_rates[k] = std::hypot(slip[0], slip[1]) / step_size;
-
-        // Stick is exact, so that friction below its bound is the sign of it.
-        state.is_slipping[k] =
-          normal > 0. && bounds[k] > 0. &&
-          std::hypot(tangential[0], tangential[1]) >= (1. - 1e-9) * bounds[k];
       }
   }
 
@@ -83,15 +72,11 @@ namespace Signorini
   template void
   find_initial_slip(const std::vector<ContactPoint<3>> &, State &);
   template void
-  measure_slip(const ContactModel<2> &,
-               const State &,
+  measure_slip(const State &,
                const std::vector<ContactPoint<2>> &,
-               const std::vector<double> &,
                State &);
   template void
-  measure_slip(const ContactModel<3> &,
-               const State &,
+  measure_slip(const State &,
                const std::vector<ContactPoint<3>> &,
-               const std::vector<double> &,
                State &);
 } // namespace Signorini

@@ -190,6 +190,7 @@ namespace Signorini
       throw ComputationError("Contact: " + held);
 
     Iterate iterate = {old_state.contact_forces,
+                       old_state.is_slipping,
                        friction_coefficients(contact_, old_state),
                        std::numeric_limits<double>::max(),
                        0.};
@@ -294,6 +295,7 @@ namespace Signorini
         const double change =
           relative_change(iterate.multipliers, correction.multipliers);
         return {std::move(correction.multipliers),
+                std::move(correction.is_slipping),
                 iterate.coefficients,
                 change,
                 correction.motion.linfty_norm()};
@@ -440,7 +442,8 @@ namespace Signorini
     scale(state.contact_forces, 1. / multiplier_factor_);
     for (unsigned int k = 0; k < points.size(); ++k)
       state.gaps[k] = points[k].gap;
-    measure_slip(contact_, old_state, points, iterate.coefficients, state);
+    state.is_slipping = iterate.is_slipping;
+    measure_slip(old_state, points, state);
     if (settings_.time.dynamic)
       {
         solid_.mass_redistribution().extrapolate(state.velocity);

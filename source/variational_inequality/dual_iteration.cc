@@ -1,5 +1,7 @@
 #include "dual_iteration.h"
 
+#include <signorini/variational_inequality/coulomb_newton.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,6 +42,7 @@ namespace Signorini
              terms.offsets.size() == problem.n_contacts(),
            ExcDimensionMismatch(terms.offsets.size(), problem.n_contacts()));
     solution.forces = InterfaceForces(problem.n_contacts());
+    solution.is_slipping.resize(problem.n_contacts());
     for (unsigned int k = 0; k < starting.size(); ++k)
       if (starting[k] > 0. && !problem.contact(k).is_out_of_reach())
         {
@@ -90,6 +93,7 @@ namespace Signorini
         last_error = error;
       }
     check_friction();
+    mark_slipping();
     std::sort(solution.fallback_contacts.begin(),
               solution.fallback_contacts.end());
     solution.fallback_contacts.erase(
@@ -249,6 +253,27 @@ namespace Signorini
             left.push_back(slip_left[k][j]);
       }
     return system.error(x, left);
+  }
+
+
+
+  void
+  DualIteration::mark_slipping()
+  {
+    if (!working_set_has_friction())
+      return;
+    std::vector<double> x;
+    const CoulombSystem system = coulomb_system(x);
+    const auto          states = contact_states(system, x, system.residual(x));
+    const double        stick =
+      std::max(law_tolerance, target_accuracy * length_scale);
+    for (unsigned int i = 0; i < working_set.size(); ++i)
+      {
+        const auto &slip = slip_left[working_set[i]];
+        solution.is_slipping[working_set[i]] =
+          states[i].kind == ContactState::slip &&
+          std::hypot(slip[0], slip[1]) > stick;
+      }
   }
 
 

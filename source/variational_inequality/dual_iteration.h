@@ -88,6 +88,10 @@ namespace Signorini
     double
     coulomb_error() const;
 
+    // Which contacts slip, at the end.
+    void
+    mark_slipping();
+
     // That friction taken as it is still fits normal forces corrected after it.
     void
     check_friction() const;

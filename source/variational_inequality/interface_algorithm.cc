@@ -78,6 +78,7 @@ namespace Signorini
         InterfaceSolution solution;
         solution.displacement = problem.free_displacement();
         solution.forces       = InterfaceForces(problem.n_contacts());
+        solution.is_slipping.resize(problem.n_contacts());
         return solution;
       }
     return solve_closed(problem, starting_forces);

@@ -166,7 +166,15 @@ BOOST_AUTO_TEST_CASE(block_sticks_and_slides)
         BOOST_TEST(std::abs(found.displacement(0) - (pull - force) / 3.) <=
                    1e-8);
         BOOST_TEST(found.n_fallbacks == 0);
+        BOOST_TEST((found.is_slipping.at(0) != 0) == (std::abs(pull) > 1.5));
       }
+
+  // Pulled with the greatest friction it sticks; a regularised law creeps.
+  for (const Exact &exact : exact_algorithms())
+    BOOST_TEST(exact.algorithm
+                   ->solve(InterfaceReference::make_problem(block(1.5, 0.5)),
+                           {})
+                   .is_slipping.at(0) == 0);
 
   // Exactly at rest, not nearly.
   for (const unsigned int i : {0, 1})

@@ -46,6 +46,7 @@ namespace Signorini
     {
       dealii::Vector<double> motion;      // of all unknowns, m
       InterfaceForces        multipliers; // of the candidates, N
+      std::vector<char>      is_slipping; // each candidate
       double                 kkt_residual;
 
       // Where the algorithm met a set of contacts twice, so that a globally

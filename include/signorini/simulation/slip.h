@@ -18,17 +18,11 @@ namespace Signorini
   void
   find_initial_slip(const std::vector<ContactPoint<dim>> &points, State &state);
 
-  /**
-   * Adds the slip of a step to the state, with its rate, and marks the contacts
-   * whose friction is at its bound.
-   * @param coefficients mu of each candidate in this step
-   */
+  /** Adds the slip of a step to the state, with its rate. */
   template <int dim>
   void
-  measure_slip(const ContactModel<dim>              &contact,
-               const State                          &old_state,
+  measure_slip(const State                          &old_state,
                const std::vector<ContactPoint<dim>> &points,
-               const std::vector<double>            &coefficients,
                State                                &state);
 } // namespace Signorini
 

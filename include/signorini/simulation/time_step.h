@@ -81,6 +81,7 @@ namespace Signorini
     struct Iterate
     {
       InterfaceForces     multipliers;
+      std::vector<char>   is_slipping;
       std::vector<double> coefficients; // of friction
       double              force_change; // over the largest force
       double              motion;       // largest of the correction, m

@@ -285,6 +285,10 @@ namespace Signorini
     dealii::Vector<double> displacement; // du, m
     InterfaceForces        forces;
 
+    // Whether each contact slips: its friction is at the bound and its slip is
+    // more than the algorithm leaves to one that sticks.
+    std::vector<char> is_slipping;
+
     // Faces minimised on, Newton steps, or updates of the multipliers; 0 if
     // all is open.
     unsigned int n_iterations = 0;
