@@ -72,11 +72,7 @@ namespace Signorini
   template void
   find_initial_slip(const std::vector<ContactPoint<3>> &, State &);
   template void
-  measure_slip(const State &,
-               const std::vector<ContactPoint<2>> &,
-               State &);
+  measure_slip(const State &, const std::vector<ContactPoint<2>> &, State &);
   template void
-  measure_slip(const State &,
-               const std::vector<ContactPoint<3>> &,
-               State &);
+  measure_slip(const State &, const std::vector<ContactPoint<3>> &, State &);
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/variational_inequality/compliance_matrix.h>
 
+#include <algorithm>
 #include <map>
 
 namespace Signorini
@@ -36,9 +37,11 @@ namespace Signorini
     FullMatrix<double> matrix(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
-        matrix(i, j) = matrix(j, i) = old[i] != unknown && old[j] != unknown ?
-                                        W(old[i], old[j]) :
-                                        entry(row_numbers[i], row_numbers[j]);
+        matrix(i, j) = matrix(j, i) =
+          old[i] != unknown && old[j] != unknown ?
+            W(old[i], old[j]) :
+            entry(std::max(row_numbers[i], row_numbers[j]),
+                  std::min(row_numbers[i], row_numbers[j]));
     W    = std::move(matrix);
     rows = row_numbers;
     kept_factor.clear();

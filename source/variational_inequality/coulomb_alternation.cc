@@ -195,16 +195,17 @@ namespace Signorini
                 base[i + 1] = branch[k] * bounds[k];
             }
           const unsigned int  n = unknown.size();
-          std::vector<double> matrix(std::size_t(n) * n), z(n);
+          std::vector<double> z(n);
           for (const unsigned int i : unknown)
             scale.push_back(system(i, i) > 0. ? 1. / std::sqrt(system(i, i)) :
                                                 1.);
-          for (unsigned int j = 0; j < n; ++j)
-            for (unsigned int i = 0; i < n; ++i)
-              matrix[i + std::size_t(j) * n] =
+          const auto write_row = [&](const unsigned int i, double *entries) {
+            for (unsigned int j = 0; j < n; ++j)
+              entries[j] =
                 scale[i] * scale[j] *
                 (system(unknown[i], unknown[j]) + (i == j ? soft[i] : 0.));
-          if (!factor.factorise(n, std::move(matrix), {}))
+          };
+          if (!factor.prepare(n, {}, write_row))
             return false;
           ++n_iterations;
 

@@ -37,6 +37,15 @@ namespace Signorini
 
 
 
+  void
+  CoulombSystem::copy_row(const unsigned int i, double *entries) const
+  {
+    std::copy_n(&W(i, 0), size(), entries);
+    entries[i] = diagonal[i];
+  }
+
+
+
   std::vector<double>
   CoulombSystem::residual(const std::vector<double> &x) const
   {

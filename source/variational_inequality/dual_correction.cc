@@ -115,10 +115,13 @@ namespace Signorini
   void
   DualIteration::correct_all_forces()
   {
-    std::vector<double>   x;
-    const CoulombSystem   system = coulomb_system(x);
-    const CoulombSolution result =
-      method(system, x, problem.compliance_matrix(working_set, true).factor());
+    std::vector<double> x;
+    const CoulombSystem system = coulomb_system(x);
+    DenseFactor &factor = problem.compliance_matrix(working_set, true).factor();
+    if (is_first_correction)
+      factor.settle();
+    is_first_correction          = false;
+    const CoulombSolution result = method(system, x, factor);
     solution.n_iterations += result.n_iterations;
     if (!result.solved && add_all())
       {

@@ -118,6 +118,7 @@ namespace Signorini
     std::vector<char>                  in_working_set;
     std::vector<unsigned int>          working_set;
     bool                               friction_is_settled = false;
+    bool                               is_first_correction = true;
     double                             law_tolerance       = 0.;
     double                             length_scale        = 0.;
   };

@@ -8,11 +8,10 @@
 namespace Signorini
 {
   /**
-   * The linear system of one Newton step: from the point x the step goes to
-   * x_base + P z, where x_base has what the states fix (no force where open,
-   * the bound where a single tangent slips) and z are the forces left. They
-   * make e = 0 where closed and v = 0 where stuck, and obey the linearised
-   * projection where two tangents slip. Scaled to a unit diagonal.
+   * The linear system of one Newton step for the forces x, one equation for
+   * each: no force where open, e = 0 where closed, v = 0 where stuck, the bound
+   * where a single tangent slips, and the linearised projection where two do.
+   * Scaled to a unit diagonal.
    */
   class StateEquations
   {
@@ -35,51 +34,47 @@ namespace Signorini
     }
 
   private:
-    // A column of P: a force, and a second one that it brings along. The same
-    // numbers tell the row of y that vanishes.
-    struct Unknown
+    enum class Kind
     {
-      unsigned int row;
-      unsigned int follower;
-      double       slope;
+      given,     // x_i = its value in base
+      vanishing, // y_i = 0
+      bound,     // x_i = slope x_normal
+      projection
     };
 
-    // A tangent in a slip that is no line: the row of z, its contact.
-    struct Projection
+    struct Equation
     {
-      unsigned int unknown;
-      unsigned int contact;
-      unsigned int component;
+      Kind         kind      = Kind::given;
+      double       slope     = 0.; // of the bound
+      unsigned int normal    = 0;  // row of the normal of its contact
+      unsigned int contact   = 0;
+      unsigned int component = 0; // of the tangent, from 1
     };
 
     void
-    add_contact(const unsigned int k, const std::vector<double> &x);
+    add_contact(const unsigned int k);
 
-    DenseFactor::Key
-    key() const;
-
-    std::vector<double>
-    matrix() const;
+    std::vector<DenseFactor::RowKey>
+    keys() const;
 
     void
-    linearise_projection(const Projection    &projection,
-                         std::vector<double> &matrix,
-                         double              *right_hand_side) const;
+    write_row(const unsigned int i, double *entries) const;
 
     void
-    add_step(std::vector<double> &z, std::vector<double> &point) const;
+    write_projection(const unsigned int i, double *entries) const;
 
+    /** The right-hand side of a projection, for the step from base. */
     double
-    scaling(const unsigned int row) const;
+    projection_remainder(const unsigned int i) const;
 
     const CoulombSystem             &system;
     const std::vector<ContactState> &states;
     const std::vector<double>       &x;
     const std::vector<double>       &y;
+    std::vector<Equation>            equations;
+    std::vector<double>              scaling;
     std::vector<double>              base;
     std::vector<double>              base_residual;
-    std::vector<Unknown>             unknowns;
-    std::vector<Projection>          projections;
     bool                             linear = true;
   };
 } // namespace Signorini

@@ -172,9 +172,8 @@ BOOST_AUTO_TEST_CASE(block_sticks_and_slides)
   // Pulled with the greatest friction it sticks; a regularised law creeps.
   for (const Exact &exact : exact_algorithms())
     BOOST_TEST(exact.algorithm
-                   ->solve(InterfaceReference::make_problem(block(1.5, 0.5)),
-                           {})
-                   .is_slipping.at(0) == 0);
+                 ->solve(InterfaceReference::make_problem(block(1.5, 0.5)), {})
+                 .is_slipping.at(0) == 0);
 
   // Exactly at rest, not nearly.
   for (const unsigned int i : {0, 1})

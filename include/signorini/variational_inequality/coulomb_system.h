@@ -73,6 +73,10 @@ namespace Signorini
       return i == j ? diagonal[i] : W(i, j);
     }
 
+    /** Writes row @p i of W + C. */
+    void
+    copy_row(const unsigned int i, double *entries) const;
+
     /** C. */
     const std::vector<double> &
     soft() const
