@@ -176,7 +176,7 @@ namespace Signorini
 
     // Linear systems that correct the state of a warm start before the planes
     // are set up.
-    constexpr unsigned int most_corrections = 4;
+    constexpr unsigned int most_corrections = 10;
 
     // Bounds that have not settled by then oscillate.
     constexpr unsigned int first_mean  = 4;

@@ -18,6 +18,9 @@ namespace Signorini
     {
       return 4. * std::max(n, 8U) * std::numeric_limits<double>::epsilon();
     }
+
+    // Relative to a unit diagonal: all pivots above this leave no doubt.
+    constexpr double definite_pivot = 1e-8;
   } // namespace
 
 
@@ -43,9 +46,10 @@ namespace Signorini
             scaling[i] * scaling[j] * matrix(indices[i], indices[j]);
       }
 
-    // 2. Factorise until the largest pivot left is rounding error.
-    if (n == 0)
+    if (n == 0 || factorise_definite())
       return;
+
+    // 3. Factorise until the largest pivot left is rounding error.
     const Blas::Integer        size      = n;
     const double               tolerance = rank_tolerance(n);
     std::vector<Blas::Integer> order(n);
@@ -64,6 +68,31 @@ namespace Signorini
     for (unsigned int i = 0; i < n; ++i)
       pivots[i] = rank > 0 ? order[i] - 1 : i;
     independent_rows = rank;
+  }
+
+
+
+  bool
+  SemidefiniteCholesky::factorise_definite()
+  {
+    // 2. Without pivoting, which is several times faster; a pivot that is far
+    // above rounding throughout shows that it was not needed.
+    const Blas::Integer size   = n;
+    Blas::Integer       info   = 0;
+    std::vector<double> factor = lower;
+    Blas::dpotrf_("L", &size, factor.data(), &size, &info);
+    if (info != 0)
+      return false;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double diagonal = factor[i + std::size_t(i) * n];
+        if (!(diagonal * diagonal > definite_pivot))
+          return false;
+        pivots[i] = i;
+      }
+    lower            = std::move(factor);
+    independent_rows = n;
+    return true;
   }
 
 

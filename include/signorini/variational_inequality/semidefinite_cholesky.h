@@ -8,10 +8,10 @@
 namespace Signorini
 {
   /**
-   * Cholesky factor with complete pivoting of a principal block B = W_FF of a
-   * symmetric positive semidefinite matrix, scaled to a unit diagonal so that
-   * the rank does not depend on units. The rows of F fall into `rank()'
-   * independent ones and the `dependent()' rest.
+   * Cholesky factor, with complete pivoting unless B is clearly definite, of a
+   * principal block B = W_FF of a symmetric positive semidefinite matrix,
+   * scaled to a unit diagonal so that the rank does not depend on units. The
+   * rows of F fall into `rank()' independent ones and the `dependent()' rest.
    */
   class SemidefiniteCholesky
   {
@@ -48,6 +48,10 @@ namespace Signorini
     null_direction(const std::vector<double> &remainder) const;
 
   private:
+    // False, and nothing changed, unless all pivots are clear of rounding.
+    bool
+    factorise_definite();
+
     // op(L_11)^-1 on the first rank() entries.
     void
     solve_triangular(const char           transposition,
