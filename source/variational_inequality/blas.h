@@ -30,6 +30,20 @@ namespace Signorini
              double        *y,
              const Integer *incy);
 
+      // y <- beta y + alpha op(A) x.
+      void
+      dgemv_(const char    *trans,
+             const Integer *m,
+             const Integer *n,
+             const double  *alpha,
+             const double  *a,
+             const Integer *lda,
+             const double  *x,
+             const Integer *incx,
+             const double  *beta,
+             double        *y,
+             const Integer *incy);
+
       // x <- op(A)^-1 x, A triangular.
       void
       dtrsv_(const char    *uplo,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blas.h"
+
 namespace Signorini
 {
   using namespace dealii;
@@ -51,15 +53,23 @@ namespace Signorini
   {
     AssertDimension(x.size(), size());
     std::vector<double> y = d;
+    const Blas::Integer n = size(), one = 1;
+    const double        minus_one = -1., plus_one = 1.;
     // W is symmetric: its rows are its columns.
+    if (n > 0)
+      Blas::dgemv_("N",
+                   &n,
+                   &n,
+                   &minus_one,
+                   &W(0, 0),
+                   &n,
+                   x.data(),
+                   &one,
+                   &plus_one,
+                   y.data(),
+                   &one);
     for (unsigned int j = 0; j < size(); ++j)
-      if (x[j] != 0.)
-        {
-          const double *const column = &W(j, 0);
-          for (unsigned int i = 0; i < size(); ++i)
-            y[i] -= column[i] * x[j];
-          y[j] -= compliance[j] * x[j];
-        }
+      y[j] -= compliance[j] * x[j];
     return y;
   }
 

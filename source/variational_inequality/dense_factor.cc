@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "blas.h"
 
@@ -43,6 +42,13 @@ namespace Signorini
         if (!(std::abs(matrix[i + std::size_t(i) * n]) > smallest))
           return false;
       return true;
+    }
+
+    double
+    product(const unsigned int n, const double *x, const double *y)
+    {
+      const Blas::Integer size = n, one = 1;
+      return Blas::ddot_(&size, x, &one, y, &one);
     }
 
     // Matrices are written by rows, which are columns to LAPACK.
@@ -172,10 +178,7 @@ namespace Signorini
         const std::vector<double> &column = inverse_column(rows[b]);
         for (unsigned int a = 0; a < m; ++a)
           capacitance[b + std::size_t(a) * m] =
-            std::inner_product(column.begin(),
-                               column.end(),
-                               new_rows.begin() + std::size_t(a) * n,
-                               0.);
+            product(n, new_rows.data() + std::size_t(a) * n, column.data());
       }
     double largest = 0.;
     for (const double entry : capacitance)
@@ -206,10 +209,7 @@ namespace Signorini
       }
     substitute(lu, pivots, x);
     for (unsigned int a = 0; a < m; ++a)
-      missing[a] -= std::inner_product(x.begin(),
-                                       x.end(),
-                                       new_rows.begin() + std::size_t(a) * n,
-                                       0.);
+      missing[a] -= product(n, new_rows.data() + std::size_t(a) * n, x.data());
     substitute(capacitance, capacitance_pivots, missing);
     for (unsigned int b = 0; b < m; ++b)
       {
