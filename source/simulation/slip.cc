@@ -50,8 +50,9 @@ namespace Signorini
                State                                &state)
   {
     const double step_size = state.time - old_state.time;
-    const auto   bounds =
-      contact.friction_bounds(coefficients, state.contact_forces.normal);
+    const auto   bounds    = contact.friction_bounds(points,
+                                                coefficients,
+                                                state.contact_forces.normal);
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         const double          normal     = state.contact_forces.normal[k];
