@@ -12,51 +12,14 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int not_on_interface = numbers::invalid_unsigned_int;
-
-    // Splits the nodes of the surface into candidates and nodes that cannot
-    // follow a contact force; of those, hanging ones are where their
-    // neighbours are. Faces that lose a node are lost for pictures only.
-    template <int dim>
-    void
-    choose_candidates(const std::vector<bool>         &is_fixed,
-                      const AffineConstraints<double> &hanging_nodes,
-                      ContactPair<dim>                &pair)
-    {
-      const ContactorSurface<dim> &surface = pair.surface;
-      pair.candidate_of_node.assign(surface.nodes.size(), not_on_interface);
-      for (unsigned int n = 0; n < surface.nodes.size(); ++n)
-        {
-          const auto &dofs = surface.nodes[n].dofs;
-          if (std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int i) {
-                return is_fixed[i];
-              }))
-            {
-              if (!hanging_nodes.is_constrained(dofs[0]))
-                pair.held_nodes.push_back(surface.nodes[n]);
-              continue;
-            }
-          pair.candidate_of_node[n] = pair.contactor.nodes.size();
-          pair.node_of_candidate.push_back(n);
-          pair.contactor.nodes.push_back(surface.nodes[n]);
-          pair.contactor.areas.push_back(surface.areas[n]);
-        }
-      for (auto face : surface.faces)
-        {
-          for (auto &node : face)
-            node = pair.candidate_of_node[node];
-          if (std::count(face.begin(), face.end(), not_on_interface) == 0)
-            pair.contactor.faces.push_back(face);
-        }
-    }
-
     // tau_max B of a candidate, N; infinite if its friction has no bound.
     template <int dim>
     double
-    largest_friction(const ContactPair<dim> &pair, const unsigned int n)
+    largest_friction(const ContactPair<dim>  &pair,
+                     const ContactPoint<dim> &point)
     {
       const double stress = pair.friction.largest_shear_stress();
-      return std::isfinite(stress) ? stress * pair.contactor.areas[n] : stress;
+      return std::isfinite(stress) ? stress * point.area : stress;
     }
   } // namespace
 
@@ -67,7 +30,7 @@ namespace Signorini
                                   const std::vector<bool>         &is_fixed,
                                   const AffineConstraints<double> &constraints)
     : hanging_nodes_(constraints)
-    , interface_index_(is_fixed.size(), not_on_interface)
+    , interface_(is_fixed)
   {
     std::map<std::string, unsigned int> n_pairs_of_target;
     for (const auto &pair : pairs)
@@ -79,66 +42,35 @@ namespace Signorini
                                      target :
                                      description.body->name() + "." +
                                      description.boundary + "." + target;
-        add_pair(std::move(description), is_fixed);
-        pairs_.back().name = name;
+        pairs_.emplace_back(std::move(description), is_fixed, constraints);
+        ContactPair<dim> &pair = pairs_.back();
+        pair.name              = name;
+        pair.first_contact     = n_contacts_;
+        n_contacts_ += pair.contactor.nodes.size();
+        for (const auto &node : pair.contactor.nodes)
+          extent_ = std::max(extent_, node.point.norm());
       }
-    number_interface(is_fixed);
+    allowances_.resize(pairs_.size());
+    number_interface();
   }
 
 
 
   template <int dim>
   void
-  ContactModel<dim>::add_pair(PairDescription        &&description,
-                              const std::vector<bool> &is_fixed)
+  ContactModel<dim>::number_interface()
   {
-    ContactPair<dim> pair;
-    pair.body       = description.body;
-    pair.target     = std::move(description.target);
-    pair.friction   = description.friction;
-    pair.constraint = description.constraint;
-    pair.surface    = contactor_surface(*pair.body, description.boundary);
-    choose_candidates(is_fixed, hanging_nodes_, pair);
-    pair.first_contact = n_contacts_;
-    n_contacts_ += pair.contactor.nodes.size();
-    for (const auto &node : pair.contactor.nodes)
-      extent_ = std::max(extent_, node.point.norm());
-    pairs_.push_back(std::move(pair));
-    allowances_.emplace_back();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactModel<dim>::number_interface(const std::vector<bool> &is_fixed)
-  {
-    const auto number = [&](const unsigned int unknown) {
-      if (!is_fixed[unknown] && interface_index_[unknown] == not_on_interface)
-        {
-          interface_index_[unknown] = interface_dofs_.size();
-          interface_dofs_.push_back(unknown);
-        }
-    };
-    const auto number_resolved = [&](const unsigned int unknown) {
-      if (!hanging_nodes_.is_constrained(unknown))
-        number(unknown);
-      else
-        for (const auto &[master, factor] :
-             *hanging_nodes_.get_constraint_entries(unknown))
-          number(master);
-    };
     for (const auto &pair : pairs_)
       {
-        for (const auto &node : pair.contactor.nodes)
+        // A mean of gaps also hangs on nodes that are no candidates.
+        const auto &touched = pair.constraint == ContactConstraint::mortar ?
+                                pair.surface.nodes :
+                                pair.contactor.nodes;
+        for (const auto &node : touched)
           for (const unsigned int dof : node.dofs)
-            number(dof);
-        if (pair.constraint == ContactConstraint::mortar)
-          for (const auto &node : pair.surface.nodes)
-            for (const unsigned int dof : node.dofs)
-              number_resolved(dof);
+            interface_.add(dof, hanging_nodes_);
         for (const unsigned int unknown : pair.target->unknowns())
-          number_resolved(unknown);
+          interface_.add(unknown, hanging_nodes_);
       }
   }
 
@@ -248,32 +180,9 @@ namespace Signorini
   {
     for (const auto &pair : pairs_)
       {
-        if (pair.held_nodes.empty())
-          continue;
-        const auto placed = pair.target->place(configuration, configuration);
-        for (const auto &node : pair.held_nodes)
-          {
-            const ContactorPoint<dim> point = {
-              node_positions<dim>({node}, configuration.displacement)[0],
-              {},
-              {},
-              node.dofs[0]};
-            const auto   target = placed->closest(point);
-            const double rounding =
-              1e-10 *
-              std::max(node.point.norm(),
-                       node.point.distance(pair.body->nodes()[0].point));
-            if (!target || target->gap >= -rounding)
-              continue;
-            std::ostringstream message;
-            message << "at t = " << configuration.time << " s the node of body "
-                    << pair.body->name() << " at (" << node.point
-                    << "), which is held by Supports, lies " << -target->gap
-                    << " m inside of \"" << pair.target->name()
-                    << "\" and cannot make room. Change the motion of one of "
-                       "them, or leave a component of the node free.";
-            return message.str();
-          }
+        const std::string penetration = pair.held_penetration(configuration);
+        if (!penetration.empty())
+          return penetration;
       }
     return "";
   }
@@ -290,21 +199,25 @@ namespace Signorini
     std::vector<unsigned int> passed;
     for (const auto &pair : pairs_)
       {
-        const Allowance &allowance = allowances_[&pair - pairs_.data()];
-        const auto       placed    = pair.target->place(now, before);
-        const auto       starts =
-          node_positions(pair.contactor.nodes, before.displacement);
-        const auto ends =
-          node_positions(pair.contactor.nodes, now.displacement);
-        for (unsigned int n = 0; n < starts.size(); ++n)
+        const Allowance      &allowance = allowances_[&pair - pairs_.data()];
+        const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
+        // A node of mortar may rest inside if others around are outside.
+        const auto rests_inside = [&](const unsigned int node) {
+          const auto target = closest_to(placed, {{node, 1.}});
+          return target && target->gap <= 0.;
+        };
+        for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
           {
-            const unsigned int k = pair.first_contact + n;
+            const unsigned int k    = pair.first_contact + n;
+            const unsigned int node = pair.node_of_candidate[n];
             if (!closed[k] && start_gaps[k] > 0. &&
                 (allowance.depths.empty() || allowance.depths[n] == 0.) &&
-                placed->is_passed(starts[n],
-                                  ends[n],
-                                  start_gaps[k],
-                                  pair.contactor.nodes[n].dofs[0]))
+                placed.target->is_passed(placed.positions_before[node],
+                                         placed.positions[node],
+                                         start_gaps[k],
+                                         pair.contactor.nodes[n].dofs[0]) &&
+                !(pair.constraint == ContactConstraint::mortar &&
+                  rests_inside(node)))
               passed.push_back(k);
           }
       }
@@ -335,20 +248,6 @@ namespace Signorini
 
 
   template <int dim>
-  SparseRow
-  ContactModel<dim>::on_interface(const SparseRow &row,
-                                  const double     factor) const
-  {
-    SparseRow result;
-    for (const auto &[unknown, coefficient] : row)
-      if (interface_index_[unknown] != not_on_interface && coefficient != 0.)
-        result.add(interface_index_[unknown], factor * coefficient);
-    return result;
-  }
-
-
-
-  template <int dim>
   std::vector<InterfaceContact>
   ContactModel<dim>::constraints(const std::vector<ContactPoint<dim>> &points,
                                  const std::vector<double> &coefficients) const
@@ -361,12 +260,12 @@ namespace Signorini
           const ContactPoint<dim> &point   = points[k];
           InterfaceContact        &contact = contacts[k];
           contact.gap                      = point.gap;
-          contact.normal = on_interface(point.gap_gradient, -1.);
+          contact.normal = interface_.row(point.gap_gradient, -1.);
           if (pair.friction.is_frictionless() || !point.is_in_reach())
             continue;
           for (unsigned int j = 0; j < dim - 1; ++j)
             contact.tangents.push_back(
-              on_interface(point.slip_gradients[j], 1.));
+              interface_.row(point.slip_gradients[j], 1.));
           // A node that its supports hold along the surface cannot rub.
           if (std::all_of(contact.tangents.begin(),
                           contact.tangents.end(),
@@ -377,28 +276,9 @@ namespace Signorini
             }
           contact.slip                 = point.slip;
           contact.friction_coefficient = coefficients[k];
-          contact.largest_friction     = largest_friction(pair, n);
+          contact.largest_friction     = largest_friction(pair, point);
         }
     return contacts;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  ContactModel<dim>::friction_bounds(
-    const std::vector<double> &coefficients,
-    const std::vector<double> &normal_forces) const
-  {
-    std::vector<double> bounds(n_contacts_);
-    for (const auto &pair : pairs_)
-      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-        {
-          const unsigned int k = pair.first_contact + n;
-          bounds[k]            = std::min(coefficients[k] * normal_forces[k],
-                               largest_friction(pair, n));
-        }
-    return bounds;
   }
 
 
@@ -437,15 +317,8 @@ namespace Signorini
       {
         if (normal_forces[k] == 0.)
           continue;
-        for (const auto &[unknowns, matrix] : points[k].curvatures)
-          for (unsigned int i = 0; i < unknowns.size(); ++i)
-            for (unsigned int j = 0; j < unknowns.size(); ++j)
-              {
-                const unsigned int row    = interface_index_[unknowns[i]];
-                const unsigned int column = interface_index_[unknowns[j]];
-                if (row != not_on_interface && column != not_on_interface)
-                  stiffness(row, column) -= normal_forces[k] * matrix(i, j);
-              }
+        for (const GapCurvature &curvature : points[k].curvatures)
+          interface_.add_curvature(curvature, -normal_forces[k], stiffness);
       }
   }
 

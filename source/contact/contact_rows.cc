@@ -168,6 +168,7 @@ namespace Signorini
     for (const unsigned int node : placed.pair.node_of_candidate)
       {
         candidates.emplace_back();
+        candidates.back().area     = placed.pair.surface.areas[node];
         const WeightedNodes nodes  = {{node, 1.}};
         const auto          target = closest_to(placed, nodes);
         if (target)

@@ -170,16 +170,6 @@ namespace Signorini
 
 
   template <int dim>
-  double
-  ContactorSurface<dim>::pressure(const unsigned int node,
-                                  const double       force) const
-  {
-    return areas[node] > 0. ? force / areas[node] : 0.;
-  }
-
-
-
-  template <int dim>
   std::vector<Point<dim>>
   node_positions(const std::vector<Node<dim>> &nodes,
                  const Vector<double>         &displacement)
@@ -215,8 +205,6 @@ namespace Signorini
 
 
 
-  template struct ContactorSurface<2>;
-  template struct ContactorSurface<3>;
   template ContactorSurface<2>
   contactor_surface(const Body<2> &, const std::string &);
   template ContactorSurface<3>

@@ -1,5 +1,6 @@
 #include <signorini/contact/corner_normals.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -110,20 +111,23 @@ namespace Signorini
     if (at_start ? !curve.has_previous(s) : !curve.has_next(s))
       return false;
     const double part = at_start ? projection.xi : 1. - projection.xi;
-    if (part > near_vertex)
+    if (part >= near_vertex)
       return false;
-    const Tensor<1, 2> own   = curve.normal({s, at_start ? 0. : 1.});
-    const Tensor<1, 2> other = at_start ?
-                                 curve.normal({curve.previous(s), 1.}) :
-                                 curve.normal({curve.next(s), 0.});
-    const double       turn  = angle_between(own, other);
-    const double arm = (projection.is_vertex ? std::abs(projection.gap) : 0.);
-    if (turn < 1e-6 || turn > blunt ||
-        arm > near_vertex * curve.segment(s).length())
+    const unsigned int beside = at_start ? curve.previous(s) : curve.next(s);
+    const Tensor<1, 2> own    = curve.normal({s, at_start ? 0. : 1.});
+    const Tensor<1, 2> other  = curve.normal({beside, at_start ? 1. : 0.});
+    const double       turn   = angle_between(own, other);
+    // Near across the curve, too: the normal at a vertex is right from afar.
+    const double size     = near_vertex * std::min(curve.segment(s).length(),
+                                               curve.segment(beside).length());
+    const double nearness = 1. - std::abs(projection.gap) / size;
+    if (turn < 1e-6 || turn > blunt || nearness <= 0.)
       return false;
 
     const double share  = 0.5 * (1. + part / near_vertex);
     Tensor<1, 2> normal = share * own + (1. - share) * other;
+    normal =
+      nearness / normal.norm() * normal + (1. - nearness) * projection.normal;
     normal /= normal.norm();
     projection.gap *= projection.normal * normal;
     projection.normal    = normal;

@@ -103,10 +103,7 @@ namespace Signorini
     std::vector<unsigned int> first, near;
     if (only_nearest)
       {
-        if (query.start && query.start->segment < curve_->n_segments())
-          first.push_back(query.start->segment);
-        else
-          tree_.find_nearest(x, 2, first);
+        tree_.find_nearest(x, 2, first);
         for (const unsigned int segment : first)
           visit(segment);
       }

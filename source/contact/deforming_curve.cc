@@ -1,5 +1,6 @@
 #include <signorini/contact/corner_normals.h>
 #include <signorini/contact/curve_crossing.h>
+#include <signorini/contact/curve_search.h>
 #include <signorini/contact/deforming_curve.h>
 #include <signorini/contact/gap_derivatives.h>
 
@@ -325,52 +326,19 @@ namespace Signorini
                                  const std::string          &boundary,
                                  const std::vector<bool>    &is_fixed,
                                  const SurfaceInterpolation &interpolation)
-    : name_(body.name() + "." + boundary)
+    : DeformingTarget<2>(body, boundary, interpolation)
   {
-    double longest = 0.;
     for (auto &nodes : boundary_chains(body, boundary, is_fixed))
       {
         std::vector<Point<2>> reference;
         for (const auto &node : nodes.nodes)
           reference.push_back(node.point);
-        for (unsigned int n = 1; n < reference.size(); ++n)
-          longest = std::max(longest, reference[n].distance(reference[n - 1]));
         chains_.push_back({nodes,
                            curve_weights(reference,
                                          nodes,
                                          body.scalar_fe().degree,
                                          interpolation)});
       }
-    reach_             = interpolation.reach * longest;
-    penetration_limit_ = interpolation.depth * longest;
-  }
-
-
-
-  std::string
-  DeformingCurve::name() const
-  {
-    return name_;
-  }
-
-
-
-  bool
-  DeformingCurve::is_flat() const
-  {
-    return false;
-  }
-
-
-
-  std::vector<unsigned int>
-  DeformingCurve::unknowns() const
-  {
-    std::vector<unsigned int> list;
-    for (const auto &chain : chains_)
-      for (const auto &node : chain.nodes.nodes)
-        list.insert(list.end(), node.dofs.begin(), node.dofs.end());
-    return list;
   }
 
 

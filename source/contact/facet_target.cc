@@ -338,48 +338,8 @@ namespace Signorini
   FacetTarget::FacetTarget(const Body<3>              &body,
                            const std::string          &boundary,
                            const SurfaceInterpolation &interpolation)
-    : name_(body.name() + "." + boundary)
-    , surface_(contactor_surface(body, boundary))
-  {
-    double longest = 0.;
-    for (const auto &facet : surface_.faces)
-      for (const auto &[a, b] : {std::make_pair(0, 1),
-                                 std::make_pair(1, 3),
-                                 std::make_pair(3, 2),
-                                 std::make_pair(2, 0)})
-        longest = std::max(longest,
-                           surface_.nodes[facet[a]].point.distance(
-                             surface_.nodes[facet[b]].point));
-    reach_             = interpolation.reach * longest;
-    penetration_limit_ = interpolation.depth * longest;
-  }
-
-
-
-  std::string
-  FacetTarget::name() const
-  {
-    return name_;
-  }
-
-
-
-  bool
-  FacetTarget::is_flat() const
-  {
-    return false;
-  }
-
-
-
-  std::vector<unsigned int>
-  FacetTarget::unknowns() const
-  {
-    std::vector<unsigned int> list;
-    for (const auto &node : surface_.nodes)
-      list.insert(list.end(), node.dofs.begin(), node.dofs.end());
-    return list;
-  }
+    : DeformingTarget<3>(body, boundary, interpolation)
+  {}
 
 
 

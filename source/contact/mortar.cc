@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -11,12 +12,19 @@ namespace Signorini
 
   namespace
   {
+    constexpr unsigned int nobody = numbers::invalid_unsigned_int;
+
+    // So small a part of a share is opposite to the target by chance.
+    constexpr double sliver = 1e-6;
+
     // A quadrature point that has a target in reach.
     struct CoveredPoint
     {
-      std::vector<double> shape;  // N_a, 1
-      double              weight; // dA, m^2
-      TargetPoint<2>      target;
+      WeightedNodes  nodes;     // N_a, 1
+      unsigned int   nearest;   // the node whose share it is in,
+      unsigned int   neighbour; // and that on its other side
+      double         weight;    // dA, m^2
+      TargetPoint<2> target;
     };
 
     class MortarIntegration
@@ -25,30 +33,35 @@ namespace Signorini
       explicit MortarIntegration(const PlacedPair<2> &placed);
 
       std::vector<ContactPoint<2>>
-      candidates();
+      candidates() const;
 
     private:
-      // Where the element is cut, 0 and 1 included.
+      // Where an element is cut: into the shares of its nodes, and by the
+      // nodes of the target.
       std::vector<double>
       cuts(const std::vector<unsigned int> &element) const;
 
-      std::vector<CoveredPoint>
-      covered_points(const std::vector<unsigned int> &element) const;
+      // Integrates over an element between two cuts.
+      void
+      add_points(const std::vector<unsigned int> &element,
+                 const double                     begin,
+                 const double                     end);
 
-      // psi_k = sum_a A(k, a) N_a: A = D M^-1 from the covered part, or the
-      // identity where that part is too small for M.
-      FullMatrix<double>
-      dual_coefficients(const std::vector<CoveredPoint> &points) const;
-
-      WeightedNodes
-      weighted_nodes(const std::vector<unsigned int> &element,
-                     const std::vector<double>       &shape) const;
+      // The node's own, or that of the neighbour if it is held or has but a
+      // sliver.
+      unsigned int
+      candidate_of(const CoveredPoint &point) const;
 
       const PlacedPair<2>                               &placed;
       const ContactorSurface<2>                         &surface;
       const std::vector<Point<2>>                        joints;
+      const std::vector<Point<1>>                        element_nodes;
       const std::vector<Polynomials::Polynomial<double>> shapes;
       const QGauss<1>                                    quadrature;
+
+      std::vector<CoveredPoint> points;
+      std::vector<double>       whole;   // the share of each node, m^2
+      std::vector<double>       covered; // opposite to the target, m^2
     };
 
 
@@ -57,27 +70,52 @@ namespace Signorini
       : placed(placed)
       , surface(placed.pair.surface)
       , joints(placed.target->joints())
-      , shapes(Polynomials::generate_complete_Lagrange_basis(
-          QGaussLobatto<1>(surface.degree + 1).get_points()))
-      , quadrature(surface.degree + 2)
-    {}
+      , element_nodes(QGaussLobatto<1>(surface.degree + 1).get_points())
+      , shapes(Polynomials::generate_complete_Lagrange_basis(element_nodes))
+      // N_a times a shape function of the target and the circumference
+      , quadrature(surface.degree + 1)
+      , whole(surface.nodes.size())
+      , covered(surface.nodes.size())
+    {
+      for (const auto &element : surface.elements)
+        {
+          const auto places = cuts(element);
+          for (unsigned int s = 1; s < places.size(); ++s)
+            if (places[s] - places[s - 1] > 1e-12)
+              add_points(element, places[s - 1], places[s]);
+        }
+    }
 
 
 
     std::vector<double>
     MortarIntegration::cuts(const std::vector<unsigned int> &element) const
     {
-      const Point<2>      start  = placed.positions[element.front()];
-      const Tensor<1, 2>  edge   = placed.positions[element.back()] - start;
-      const double        square = edge.norm_square();
+      const Point<2>     start  = placed.positions[element.front()];
+      const Tensor<1, 2> chord  = placed.positions[element.back()] - start;
+      const double       square = chord.norm_square();
+      const auto         along  = [&](const Point<2> &x) {
+        return (x - start) * chord / square;
+      };
+      // x(xi) lies at (1 - b) xi + b xi^2 along the chord.
+      Assert(surface.degree <= 2, ExcNotImplemented());
+      const double b = surface.degree == 2 ?
+                         2. - 4. * along(placed.positions[element[1]]) :
+                         0.;
+
       std::vector<double> places = {0., 1.};
+      for (unsigned int i = 0; i < surface.degree; ++i)
+        places.push_back(0.5 * (element_nodes[i][0] + element_nodes[i + 1][0]));
       for (const Point<2> &joint : joints)
         {
-          const Tensor<1, 2> arm = joint - start;
-          const double       xi  = arm * edge / square;
+          const double s = along(joint);
           // Only what lies opposite can cut.
-          if (xi > 0. && xi < 1. && (arm - xi * edge).norm_square() < square)
-            places.push_back(xi);
+          if (s <= 0. || s >= 1. ||
+              (joint - start - s * chord).norm_square() >= square)
+            continue;
+          const double root =
+            std::sqrt(std::max(0., (1. - b) * (1. - b) + 4. * b * s));
+          places.push_back(std::min(1., 2. * s / (1. - b + root)));
         }
       std::sort(places.begin(), places.end());
       return places;
@@ -85,141 +123,80 @@ namespace Signorini
 
 
 
-    WeightedNodes
-    MortarIntegration::weighted_nodes(const std::vector<unsigned int> &element,
-                                      const std::vector<double> &shape) const
+    void
+    MortarIntegration::add_points(const std::vector<unsigned int> &element,
+                                  const double                     begin,
+                                  const double                     end)
     {
-      WeightedNodes nodes;
-      for (unsigned int a = 0; a < element.size(); ++a)
-        nodes.emplace_back(element[a], shape[a]);
-      return nodes;
-    }
+      const double middle = 0.5 * (begin + end);
+      unsigned int left   = 0; // of the two nodes around
+      while (element_nodes[left + 1][0] < middle)
+        ++left;
+      const bool is_left_nearer =
+        middle - element_nodes[left][0] < element_nodes[left + 1][0] - middle;
 
-
-
-    std::vector<CoveredPoint>
-    MortarIntegration::covered_points(
-      const std::vector<unsigned int> &element) const
-    {
-      std::vector<CoveredPoint> points;
-      const auto                places = cuts(element);
-      for (unsigned int s = 1; s < places.size(); ++s)
+      CoveredPoint point;
+      point.nearest   = element[is_left_nearer ? left : left + 1];
+      point.neighbour = element[is_left_nearer ? left + 1 : left];
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
-          const double length = places[s] - places[s - 1];
-          if (length < 1e-12)
+          const double xi = begin + (end - begin) * quadrature.point(q)[0];
+          Point<2>     reference;
+          Tensor<1, 2> tangent;
+          point.nodes.clear();
+          for (unsigned int a = 0; a < element.size(); ++a)
+            {
+              std::vector<double> values(2);
+              shapes[a].value(xi, values);
+              point.nodes.emplace_back(element[a], values[0]);
+              reference += values[0] * surface.nodes[element[a]].point;
+              tangent += values[1] * surface.nodes[element[a]].point;
+            }
+          point.weight = quadrature.weight(q) * (end - begin) * tangent.norm() *
+                         placed.pair.body->volume_factor(reference);
+          whole[point.nearest] += point.weight;
+          const auto target = closest_to(placed, point.nodes);
+          if (!target)
             continue;
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const double xi = places[s - 1] + length * quadrature.point(q)[0];
-              CoveredPoint point;
-              Point<2>     reference;
-              Tensor<1, 2> tangent;
-              for (unsigned int a = 0; a < element.size(); ++a)
-                {
-                  std::vector<double> values(2);
-                  shapes[a].value(xi, values);
-                  point.shape.push_back(values[0]);
-                  reference += values[0] * surface.nodes[element[a]].point;
-                  tangent += values[1] * surface.nodes[element[a]].point;
-                }
-              const auto target =
-                closest_to(placed, weighted_nodes(element, point.shape));
-              if (!target)
-                continue;
-              point.weight = quadrature.weight(q) * length * tangent.norm() *
-                             placed.pair.body->volume_factor(reference);
-              point.target = *target;
-              points.push_back(point);
-            }
+          covered[point.nearest] += point.weight;
+          point.target = *target;
+          points.push_back(point);
         }
-      return points;
     }
 
 
 
-    FullMatrix<double>
-    MortarIntegration::dual_coefficients(
-      const std::vector<CoveredPoint> &points) const
+    unsigned int
+    MortarIntegration::candidate_of(const CoveredPoint &point) const
     {
-      const unsigned int n = surface.degree + 1;
-      FullMatrix<double> mass(n);
-      Vector<double>     size(n);
-      double             covered = 0.;
-      for (const CoveredPoint &point : points)
-        {
-          covered += point.weight;
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              size[a] += point.weight * point.shape[a];
-              for (unsigned int b = 0; b < n; ++b)
-                mass(a, b) += point.weight * point.shape[a] * point.shape[b];
-            }
-        }
-      FullMatrix<double> coefficients = IdentityMatrix(n);
-      double             smallest     = covered;
-      for (unsigned int a = 0; a < n; ++a)
-        smallest = std::min(smallest, mass(a, a));
-      if (points.size() < n || smallest < 1e-3 * covered)
-        return coefficients;
-      mass.gauss_jordan();
-      for (unsigned int k = 0; k < n; ++k)
-        for (unsigned int a = 0; a < n; ++a)
-          coefficients(k, a) = size[k] * mass(k, a);
-      return coefficients;
+      const auto &of_node = placed.pair.candidate_of_node;
+      const auto  counts  = [&](const unsigned int node) {
+        return covered[node] > sliver * whole[node];
+      };
+      if (counts(point.nearest) && of_node[point.nearest] != nobody)
+        return of_node[point.nearest];
+      return counts(point.nearest) || counts(point.neighbour) ?
+               of_node[point.neighbour] :
+               nobody;
     }
 
 
 
     std::vector<ContactPoint<2>>
-    MortarIntegration::candidates()
+    MortarIntegration::candidates() const
     {
-      // 1. Dual functions of all elements, and the covered area of each node
-      std::vector<std::vector<CoveredPoint>> covered;
-      std::vector<FullMatrix<double>>        dual;
-      std::vector<double>                    areas(surface.nodes.size());
-      const auto value = [&](const FullMatrix<double> &coefficients,
-                             const unsigned int        k,
-                             const CoveredPoint       &point) {
-        double psi = 0.;
-        for (unsigned int a = 0; a < point.shape.size(); ++a)
-          psi += coefficients(k, a) * point.shape[a];
-        return psi;
-      };
-      for (const auto &element : surface.elements)
-        {
-          covered.push_back(covered_points(element));
-          dual.push_back(dual_coefficients(covered.back()));
-          for (const CoveredPoint &point : covered.back())
-            for (unsigned int k = 0; k < element.size(); ++k)
-              areas[element[k]] += point.weight * value(dual.back(), k, point);
-        }
-
-      // 2. Weighted means
       std::vector<ContactPoint<2>> candidates(
         placed.pair.node_of_candidate.size());
-      double largest = 0.;
-      for (const double area : areas)
-        largest = std::max(largest, area);
-      for (unsigned int e = 0; e < surface.elements.size(); ++e)
-        {
-          const auto &element = surface.elements[e];
-          for (unsigned int k = 0; k < element.size(); ++k)
-            {
-              const unsigned int candidate =
-                placed.pair.candidate_of_node[element[k]];
-              // A node that is held has no candidate; a sliver has no pressure.
-              if (candidate == numbers::invalid_unsigned_int ||
-                  areas[element[k]] <= 1e-6 * largest)
-                continue;
-              for (const CoveredPoint &point : covered[e])
-                add_to_candidate(placed,
-                                 weighted_nodes(element, point.shape),
-                                 point.target,
-                                 point.weight * value(dual[e], k, point) /
-                                   areas[element[k]],
-                                 candidates[candidate]);
-            }
-        }
+      for (const CoveredPoint &point : points)
+        if (const unsigned int k = candidate_of(point); k != nobody)
+          candidates[k].area += point.weight;
+      for (const CoveredPoint &point : points)
+        if (const unsigned int k = candidate_of(point); k != nobody)
+          add_to_candidate(placed,
+                           point.nodes,
+                           point.target,
+                           point.weight / candidates[k].area,
+                           candidates[k]);
       for (auto &candidate : candidates)
         candidate.merge_rows();
       return candidates;

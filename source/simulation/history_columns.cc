@@ -53,9 +53,9 @@ namespace Signorini
           result.n_slipping += state.is_slipping[k];
           result.force += contact_force(points[k], state.contact_forces, k);
           total_force += force;
-          total_area += pair.contactor.areas[n];
+          total_area += points[k].area;
           result.pressure_max =
-            std::max(result.pressure_max, pair.contactor.pressure(n, force));
+            std::max(result.pressure_max, points[k].pressure(force));
         }
       if (total_area > 0.)
         result.pressure_mean = total_force / total_area;

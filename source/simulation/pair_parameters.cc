@@ -28,8 +28,9 @@ namespace Signorini
          "node to surface",
          "node to surface|mortar",
          "node to surface: the gap of each contactor node is constrained. "
-         "mortar (2-D): gaps weighted by dual functions over the surface, so "
-         "that a uniform pressure passes through meshes that do not match."},
+         "mortar (2-D): the mean gap over the share of the surface that "
+         "belongs to each node, so that a uniform pressure passes through "
+         "meshes that do not match."},
         {"Surface",
          "spline",
          "spline|facets",

@@ -173,8 +173,7 @@ namespace Signorini
       {
         const unsigned int k    = pair.first_contact + n;
         const auto        &node = pair.contactor.nodes[n];
-        const double       p =
-          pair.contactor.pressure(n, state_->contact_forces.normal[k]);
+        const double p = points[k].pressure(state_->contact_forces.normal[k]);
         data.nodes.push_back(node.point);
         // Out of reach there is no gap to show.
         gap.push_back(std::isfinite(state_->gaps[k]) ?
@@ -186,12 +185,12 @@ namespace Signorini
         Tensor<1, dim> t      = p * points[k].normal;
         const auto    &forces = state_->contact_forces.tangential[k];
         for (unsigned int j = 0; j < dim - 1; ++j)
-          t -= pair.contactor.pressure(n, forces[j]) * points[k].tangents[j];
+          t -= points[k].pressure(forces[j]) * points[k].tangents[j];
         traction.push_back(t);
 
         // In 2-D along the tangent, in 3-D the size.
-        shear.push_back(pair.contactor.pressure(
-          n, dim == 2 ? -forces[0] : std::hypot(forces[0], forces[1])));
+        shear.push_back(points[k].pressure(
+          dim == 2 ? -forces[0] : std::hypot(forces[0], forces[1])));
         slip.push_back(dim == 2 ?
                          state_->slips[k][0] :
                          std::hypot(state_->slips[k][0], state_->slips[k][1]));

@@ -4,6 +4,11 @@
 #include <signorini/solid/rigid_motion.h>
 #include <signorini/variational_inequality/bound_constrained_qp.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -80,21 +85,32 @@ namespace Signorini
       return result;
     }
 
+    // The contacts that are asked for forces.
+    struct Choice
+    {
+      double largest_gap; // m
+      bool   with_friction;
+    };
+
+    constexpr double anywhere = std::numeric_limits<double>::infinity();
+
     template <int dim>
     std::vector<std::vector<double>>
     contact_powers(const ContactModel<dim>              &contact,
                    const std::vector<ContactPoint<dim>> &points,
-                   const std::vector<FreeMotion>        &motions)
+                   const std::vector<FreeMotion>        &motions,
+                   const Choice                         &choice)
     {
       std::vector<std::vector<double>> columns;
       for (const auto &pair : contact.pairs())
         for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
           {
             const auto &point = points[pair.first_contact + n];
-            if (!point.is_in_reach())
+            if (!point.is_in_reach() || point.gap > choice.largest_gap)
               continue;
             const auto   normal = powers(motions, point.gap_gradient);
-            const double mu     = pair.friction.coefficient(true, 0.);
+            const double mu =
+              choice.with_friction ? pair.friction.coefficient(true, 0.) : 0.;
             if (mu == 0.)
               columns.push_back(normal);
             else
@@ -110,21 +126,27 @@ namespace Signorini
       return columns;
     }
 
-    // f + W lambda for the lambda >= 0 that makes it smallest.
+    // f + W lambda for the lambda >= 0 that makes |f + W lambda|^2/2 + g lambda
+    // smallest. Without gaps g it is what no contact can balance; taken as a
+    // motion, it is f as far as gaps allow.
     std::vector<double>
     unbalanced(const std::vector<double>              &load,
-               const std::vector<std::vector<double>> &columns)
+               const std::vector<std::vector<double>> &columns,
+               const std::vector<double>              &gaps)
     {
       const unsigned int  n = columns.size();
       FullMatrix<double>  gram(n, n);
       std::vector<double> right(n, 0.);
       for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < load.size(); ++i)
-          {
-            right[j] -= columns[j][i] * load[i];
-            for (unsigned int k = 0; k < n; ++k)
-              gram(j, k) += columns[j][i] * columns[k][i];
-          }
+        {
+          right[j] = -gaps[j];
+          for (unsigned int i = 0; i < load.size(); ++i)
+            {
+              right[j] -= columns[j][i] * load[i];
+              for (unsigned int k = 0; k < n; ++k)
+                gram(j, k) += columns[j][i] * columns[k][i];
+            }
+        }
       std::vector<double> rest(load);
       if (n == 0)
         return rest;
@@ -134,6 +156,122 @@ namespace Signorini
         for (unsigned int i = 0; i < load.size(); ++i)
           rest[i] += solution.x[j] * columns[j][i];
       return rest;
+    }
+
+    std::vector<double>
+    unbalanced(const std::vector<double>              &load,
+               const std::vector<std::vector<double>> &columns)
+    {
+      return unbalanced(load, columns, std::vector<double>(columns.size(), 0.));
+    }
+
+    // The first motion that is not in balance.
+    std::optional<unsigned int>
+    find_unbalanced(const std::vector<double>              &load,
+                    const std::vector<std::vector<double>> &columns)
+    {
+      double largest = 0.;
+      for (const double power : load)
+        largest = std::max(largest, std::abs(power));
+      const auto rest = unbalanced(load, columns);
+      for (unsigned int i = 0; i < load.size(); ++i)
+        if (std::abs(rest[i]) > 1e-6 * largest)
+          return i;
+      return {};
+    }
+
+    // Given motions press bodies on each other in ways that loads do not tell.
+    template <int dim>
+    bool
+    is_driven(const SolidModel<dim>                              &solid,
+              const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
+              const Vector<double>                               &displacement,
+              const double                                        time)
+    {
+      const auto moves = [&](const RigidBody<dim> &body) {
+        const auto start = body.placement({displacement, 0.});
+        const auto end   = body.placement({displacement, time});
+        return (start.translation - end.translation).norm() > 0. ||
+               (start.rotation - end.rotation).norm() > 0.;
+      };
+      Vector<double> given(displacement), later(displacement);
+      solid.apply_supports(0., given);
+      solid.apply_supports(time, later);
+      return later != given ||
+             std::any_of(rigid_bodies.begin(),
+                         rigid_bodies.end(),
+                         [&](const auto &body) { return moves(*body); });
+    }
+
+    template <int dim>
+    double
+    size_of_contactors(const ContactModel<dim> &contact)
+    {
+      double size = 0.;
+      for (const auto &pair : contact.pairs())
+        for (const auto &node : pair.contactor.nodes)
+          size =
+            std::max(size, node.point.distance(pair.contactor.nodes[0].point));
+      return size;
+    }
+
+    // Moves the bodies as the loads do, stiff and without friction, until the
+    // contacts that are closed can balance the loads. If they have gone far
+    // without, the motion that was not in balance at the beginning.
+    template <int dim>
+    std::optional<unsigned int>
+    find_endless_motion(const ContactModel<dim>       &contact,
+                        const std::vector<FreeMotion> &motions,
+                        const std::vector<double>     &load,
+                        const Vector<double>          &start)
+    {
+      constexpr unsigned int most_moves = 200; // then it is too slow to tell
+      const double           size       = size_of_contactors(contact);
+      const double           step       = 0.05 * size; // normals turn little
+      const double           closed     = 1e-4 * size;
+      const double           far        = 2. * size;
+
+      const auto motion_of = [&](const std::vector<double> &shares) {
+        Vector<double> motion(start.size());
+        for (unsigned int i = 0; i < motions.size(); ++i)
+          motion.add(shares[i], motions[i].mode.motion);
+        return motion;
+      };
+      Vector<double>              way(start.size());
+      std::optional<unsigned int> first;
+      for (unsigned int move = 0; move < most_moves; ++move)
+        {
+          Vector<double> displacement(start);
+          displacement += way;
+          const auto points  = contact.evaluate({displacement, 0.});
+          const auto columns = [&](const double largest_gap,
+                                   const bool   with_friction) {
+            return contact_powers(contact,
+                                  points,
+                                  motions,
+                                  {largest_gap, with_friction});
+          };
+          const auto free = find_unbalanced(load, columns(closed, true));
+          if (!free)
+            return {};
+          if (move == 0)
+            first = free;
+
+          // 1. How fast closed contacts let the loads move the bodies
+          const double speed =
+            motion_of(unbalanced(load, columns(closed, false))).linfty_norm();
+          // 2. A step that closes gaps, but no further
+          std::vector<double> pace(load), gaps;
+          for (double &share : pace)
+            share *= step / speed;
+          for (const auto &point : points)
+            if (point.is_in_reach())
+              gaps.push_back(point.gap);
+          way += motion_of(unbalanced(pace, columns(anywhere, false), gaps));
+          if (way.linfty_norm() > far)
+            return first;
+        }
+      return {};
     }
   } // namespace
 
@@ -157,20 +295,20 @@ namespace Signorini
 
     const Vector<double> &force = solid.external_force(time);
     std::vector<double>   load;
-    double                largest = 0.;
     for (const auto &motion : motions)
-      {
-        load.push_back(motion.mode.motion * force);
-        largest = std::max(largest, std::abs(load.back()));
-      }
-    const auto points = contact.evaluate({displacement, 0.});
-    const auto rest =
-      unbalanced(load, contact_powers(contact, points, motions));
-    for (unsigned int i = 0; i < motions.size(); ++i)
-      if (std::abs(rest[i]) > 1e-6 * largest)
-        refuse(
-          motions[i],
-          ", since no contact force can balance its loads at the end of the run");
+      load.push_back(motion.mode.motion * force);
+    auto free =
+      find_unbalanced(load,
+                      contact_powers(contact,
+                                     contact.evaluate({displacement, 0.}),
+                                     motions,
+                                     {anywhere, true}));
+    if (!free && !is_driven(solid, rigid_bodies, displacement, time))
+      free = find_endless_motion(contact, motions, load, displacement);
+    if (free)
+      refuse(
+        motions[*free],
+        ", since no contact force can balance its loads at the end of the run");
   }
 
 

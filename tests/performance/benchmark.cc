@@ -317,11 +317,10 @@ namespace
 
 
   // A wavy ring of n nodes, and as many contactor points just outside of it:
-  // the tree is built and every point projected, from nothing and from the
-  // place of the last step.
+  // the tree is built and every point projected.
   struct SearchTimes
   {
-    double tree, cold, warm; // s
+    double tree, projections; // s
   };
 
   SearchTimes
@@ -347,17 +346,10 @@ namespace
     query.search_distance          = 5. / n;
     double      sum                = 0.;
     SearchTimes times;
-    times.tree = least_seconds(repetitions, [&] { search.update(); });
-    times.cold = least_seconds(repetitions, [&] {
+    times.tree        = least_seconds(repetitions, [&] { search.update(); });
+    times.projections = least_seconds(repetitions, [&] {
       for (const auto &x : points)
         sum += search.project(x, query)->gap;
-    });
-    times.warm = least_seconds(repetitions, [&] {
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          query.start = CurveParameter{i, 0.3};
-          sum += search.project(points[i], query)->gap;
-        }
     });
     if (!(sum > 0.))
       std::cout << "The points are not outside.\n";
@@ -370,19 +362,18 @@ namespace
   measure_search()
   {
     std::cout << "\nSearch of n points on a curve of n segments, per point\n"
-              << "      n     tree     cold     warm (us)   all, over n = 100"
+              << "      n     tree     projections (us)   all, over n = 100"
               << "   log n / log 100\n";
     double first = 0.;
     for (const unsigned int n : {100u, 1000u, 10000u, 100000u})
       {
         const SearchTimes times = search_times(n);
-        const double      all   = (times.tree + times.cold) / n;
+        const double      all   = (times.tree + times.projections) / n;
         if (n == 100)
           first = all;
         std::cout << std::setw(7) << n << std::fixed << std::setprecision(3)
-                  << std::setw(9) << 1e6 * times.tree / n << std::setw(9)
-                  << 1e6 * times.cold / n << std::setw(9)
-                  << 1e6 * times.warm / n << std::setw(20) << all / first
+                  << std::setw(9) << 1e6 * times.tree / n << std::setw(16)
+                  << 1e6 * times.projections / n << std::setw(20) << all / first
                   << std::setw(18) << std::log(n) / std::log(100.)
                   << std::defaultfloat << std::endl;
       }

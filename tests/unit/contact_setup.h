@@ -3,9 +3,11 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/deforming_curve.h>
+#include <signorini/contact/rigid_target.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,17 @@ namespace Signorini
                      degree,
                      "subsection Rectangle\n set Angle = " +
                        std::to_string(angle) + "\nend\n");
+  }
+
+  /** One pair. */
+  inline ContactModel<2>
+  create_contact(ContactPairDescription<2> &&pair, const SolidModel<2> &solid)
+  {
+    std::vector<ContactPairDescription<2>> pairs;
+    pairs.push_back(std::move(pair));
+    return ContactModel<2>(std::move(pairs),
+                           solid.is_fixed(),
+                           solid.constraints());
   }
 
   /** The plane body "a", whose boundary touches that of the body "b". */
@@ -73,8 +86,7 @@ namespace Signorini
            const SurfaceInterpolation &interpolation,
            const ContactConstraint     constraint)
     {
-      std::vector<ContactModel<2>::PairDescription> pairs;
-      pairs.push_back(
+      return create_contact(
         {solid.parts()[0].body.get(),
          contactor_boundary,
          std::make_unique<DeformingCurve>(*solid.parts().back().body,
@@ -82,13 +94,69 @@ namespace Signorini
                                           solid.is_fixed(),
                                           interpolation),
          FrictionLaw(),
-         constraint});
-      return ContactModel<2>(std::move(pairs),
-                             solid.is_fixed(),
-                             solid.constraints());
+         constraint},
+        solid);
     }
 
     dealii::Vector<double> shift; // of the contactor's body, m
+  };
+
+  /** The plane body "a", whose boundary touches the rigid body "tool". */
+  struct BodyOnTool
+  {
+    std::vector<std::unique_ptr<RigidBody<2>>> tools; // one
+    SolidModel<2>                              solid;
+    ContactModel<2>                            contact;
+
+    /** @param tool the text of its section */
+    BodyOnTool(
+      const std::string      &body,
+      const std::string      &boundary,
+      const std::string      &tool,
+      const FrictionLaw      &friction   = FrictionLaw(),
+      const ContactConstraint constraint = ContactConstraint::node_to_surface)
+      : BodyOnTool(test_part<2>("a", body, Formulation::plane_strain, 0),
+                   boundary,
+                   tool,
+                   friction,
+                   constraint)
+    {}
+
+  private:
+    BodyOnTool(SolidModel<2>::Part   &&part,
+               const std::string      &boundary,
+               const std::string      &tool,
+               const FrictionLaw      &friction,
+               const ContactConstraint constraint)
+      : tools(create_tools(tool, part.body->n_dofs()))
+      , solid(create_solid(std::move(part), *tools[0]))
+      , contact(create_contact({solid.parts()[0].body.get(),
+                                boundary,
+                                std::make_unique<RigidTarget<2>>(*tools[0]),
+                                friction,
+                                constraint},
+                               solid))
+    {}
+
+    static std::vector<std::unique_ptr<RigidBody<2>>>
+    create_tools(const std::string &section, const unsigned int first_unknown)
+    {
+      dealii::ParameterHandler prm;
+      RigidBody<2>::declare_parameters(prm);
+      prm.parse_input_from_string(section);
+      std::vector<std::unique_ptr<RigidBody<2>>> tools;
+      tools.push_back(std::make_unique<RigidBody<2>>(
+        "tool", "", Constants(), first_unknown, prm));
+      return tools;
+    }
+
+    static SolidModel<2>
+    create_solid(SolidModel<2>::Part &&part, const RigidBody<2> &tool)
+    {
+      std::vector<SolidModel<2>::Part> parts;
+      parts.push_back(std::move(part));
+      return SolidModel<2>(std::move(parts), tool.unknowns());
+    }
   };
 
   /** Contact forces of given multipliers on all unknowns. */

@@ -167,36 +167,6 @@ BOOST_AUTO_TEST_CASE(brute_force)
 
 
 
-// With a start, right or wrong, the answer is the same.
-BOOST_AUTO_TEST_CASE(warm_start)
-{
-  RandomCurves random(12);
-  for (unsigned int trial = 0; trial < 60; ++trial)
-    {
-      const Curve       curve = random_curve(random, trial);
-      const CurveSearch search(curve);
-      for (unsigned int i = 0; i < 30; ++i)
-        {
-          const Point<2> x = random.point(-3., 3.);
-          CurveQuery     query;
-          query.search_distance = random.number(0.1, 2.);
-          if (i % 2)
-            query.contactor_normal =
-              direction(random.number(-1., 1.), random.number(-1., 1.));
-          const auto cold = search.project(x, query);
-          query.start     = CurveParameter{static_cast<unsigned int>(
-                                         random.number(0., curve.n_segments())),
-                                       0.5};
-          const auto warm = search.project(x, query);
-          BOOST_TEST(cold.has_value() == warm.has_value());
-          if (cold && warm)
-            BOOST_TEST(cold->point.distance(warm->point) < 1e-12);
-        }
-    }
-}
-
-
-
 // With the filters of a query the answer is the nearest of all local minima
 // that pass them.
 BOOST_AUTO_TEST_CASE(filters)

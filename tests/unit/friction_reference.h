@@ -216,6 +216,23 @@ namespace FrictionReference
     std::vector<Column> solutions;
   };
 
+  /** A stiffness, positive definite, and a force, without contacts. */
+  inline Data
+  random_system(const unsigned int n, std::mt19937 &generator)
+  {
+    std::uniform_real_distribution<double> real(-1., 1.);
+    Data data{dealii::FullMatrix<double>(n, n), dealii::Vector<double>(n), {}};
+    dealii::FullMatrix<double> B(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        B(i, j) = real(generator);
+    B.mTmult(data.stiffness, B);
+    data.stiffness.diagadd(0.3);
+    for (double &force : data.force)
+      force = 3. * real(generator);
+    return data;
+  }
+
   /** Contacts at nodes of two DoFs, with rotated axes; sometimes two at one
    * node, sometimes against another node. One in four problems has rows of all
    * DoFs. Every friction coefficient from 0.05 to 1.5. */
@@ -227,15 +244,7 @@ namespace FrictionReference
     const unsigned int                     n = 2 * n_nodes;
     std::uniform_real_distribution<double> real(-1., 1.), angle(0., 6.2831853);
     std::uniform_int_distribution<int>     dice(0, 3);
-    Data data{dealii::FullMatrix<double>(n, n), dealii::Vector<double>(n), {}};
-    dealii::FullMatrix<double> B(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        B(i, j) = real(generator);
-    B.mTmult(data.stiffness, B);
-    data.stiffness.diagadd(0.3);
-    for (double &force : data.force)
-      force = 3. * real(generator);
+    Data                                   data = random_system(n, generator);
 
     const bool dense = dice(generator) == 0;
     for (unsigned int k = 0; k < n_contacts; ++k)
@@ -286,15 +295,7 @@ namespace FrictionReference
     const unsigned int                     n = 3 * n_nodes;
     std::uniform_real_distribution<double> real(-1., 1.);
     std::uniform_int_distribution<int>     dice(0, 5);
-    Data data{dealii::FullMatrix<double>(n, n), dealii::Vector<double>(n), {}};
-    dealii::FullMatrix<double> B(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        B(i, j) = real(generator);
-    B.mTmult(data.stiffness, B);
-    data.stiffness.diagadd(0.3);
-    for (double &force : data.force)
-      force = 3. * real(generator);
+    Data                                   data = random_system(n, generator);
 
     for (unsigned int k = 0; k < n_contacts; ++k)
       {

@@ -1,4 +1,3 @@
-#include <signorini/contact/rigid_target.h>
 #include <signorini/input_error.h>
 #include <signorini/simulation/overclosure.h>
 
@@ -15,47 +14,21 @@ namespace
 {
   // A block that is inside of a sloping floor by 0.01 at x = 2, by nothing at
   // x = 0 to 1: y = 0.01 (x - 1).
-  struct Setup
+  struct Setup : BodyOnTool
   {
-    SolidModel<2>                 solid;
-    std::unique_ptr<RigidBody<2>> floor;
-    ContactModel<2>               contact;
-    Vector<double>                u;
+    Vector<double> u;
 
     explicit Setup(const std::string &supports = "")
-      : solid(test_bodies<2>({rectangle("0, 0 ; 2, 1",
-                                        "4, 1",
-                                        1,
-                                        "subsection Supports\n set Fixed = " +
-                                          supports + "\nend\n")},
-                             Formulation::plane_strain))
-      , floor(create_floor())
-      , contact(create(solid, *floor))
+      : BodyOnTool(rectangle("0, 0 ; 2, 1",
+                             "4, 1",
+                             1,
+                             "subsection Supports\n set Fixed = " + supports +
+                               "\nend\n"),
+                   "bottom",
+                   "set Shape = plane\nsubsection Plane\n set Point = 1, 0\n"
+                   " set Normal = -0.01, 1\nend\n")
       , u(solid.n_dofs())
     {}
-
-    static std::unique_ptr<RigidBody<2>>
-    create_floor()
-    {
-      ParameterHandler prm;
-      RigidBody<2>::declare_parameters(prm);
-      prm.parse_input_from_string("set Shape = plane\nsubsection Plane\n"
-                                  " set Point = 1, 0\n"
-                                  " set Normal = -0.01, 1\nend\n");
-      return std::make_unique<RigidBody<2>>("floor", "", Constants(), 0, prm);
-    }
-
-    static ContactModel<2>
-    create(const SolidModel<2> &solid, const RigidBody<2> &floor)
-    {
-      std::vector<ContactModel<2>::PairDescription> pairs;
-      pairs.push_back({solid.parts()[0].body.get(),
-                       "bottom",
-                       std::make_unique<RigidTarget<2>>(floor)});
-      return ContactModel<2>(std::move(pairs),
-                             solid.is_fixed(),
-                             solid.constraints());
-    }
 
     void
     treat(const Overclosure overclosure)
@@ -104,7 +77,7 @@ BOOST_AUTO_TEST_CASE(refused)
   Setup             setup;
   const std::string text = message(setup, Overclosure::refuse);
   BOOST_TEST(text.find("body a at (2 0) lies 0.00999") != std::string::npos);
-  BOOST_TEST(text.find("\"floor\"") != std::string::npos);
+  BOOST_TEST(text.find("\"tool\"") != std::string::npos);
   BOOST_TEST(text.find("Overclosure = press fit or adjust") !=
              std::string::npos);
 }

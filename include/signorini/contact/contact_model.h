@@ -1,45 +1,19 @@
 #ifndef signorini_contact_contact_model_h
 #define signorini_contact_contact_model_h
 
+#include <signorini/contact/contact_pair.h>
 #include <signorini/contact/contact_point.h>
-#include <signorini/contact/contact_target.h>
-#include <signorini/contact/contactor_surface.h>
-#include <signorini/contact/friction_law.h>
+#include <signorini/contact/interface_numbering.h>
 #include <signorini/variational_inequality/interface_problem.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace Signorini
 {
-  /** How gaps are tied to contact forces. */
-  enum class ContactConstraint
-  {
-    node_to_surface, // the gap of each node
-    mortar           // gaps weighted by dual functions over the surface
-  };
-
-  /** A boundary of a body and the target it may touch. */
-  template <int dim>
-  struct ContactPair
-  {
-    std::string                               name; // prefix in the history
-    const Body<dim>                          *body;
-    std::unique_ptr<const ContactTarget<dim>> target;
-    FrictionLaw                               friction;
-    ContactConstraint                         constraint;
-    ContactorSurface<dim>                     surface; // with held nodes
-    ContactorSurface<dim>                     contactor;
-    std::vector<unsigned int>                 node_of_candidate;
-    std::vector<unsigned int>                 candidate_of_node;
-    std::vector<Node<dim>> held_nodes;    // that cannot follow a contact force
-    unsigned int           first_contact; // in the count of all pairs
-  };
-
   /**
    * All contact pairs: which unknowns they touch, and for each candidate node
    * gap, slip, their gradients and the curvature of the gap at a displacement.
@@ -49,15 +23,7 @@ namespace Signorini
   class ContactModel
   {
   public:
-    /** A boundary of a body against a target. */
-    struct PairDescription
-    {
-      const Body<dim>                          *body;
-      std::string                               boundary;
-      std::unique_ptr<const ContactTarget<dim>> target;
-      FrictionLaw                               friction = FrictionLaw();
-      ContactConstraint constraint = ContactConstraint::node_to_surface;
-    };
+    using PairDescription = ContactPairDescription<dim>;
 
     /**
      * @param is_fixed    unknowns that do not move with the solution; nodes
@@ -85,7 +51,7 @@ namespace Signorini
     const std::vector<unsigned int> &
     interface_dofs() const
     {
-      return interface_dofs_;
+      return interface_.unknowns();
     }
 
     /** The largest coordinate of a candidate node, m: the scale of rounding. */
@@ -163,11 +129,6 @@ namespace Signorini
     constraints(const std::vector<ContactPoint<dim>> &points,
                 const std::vector<double>            &coefficients) const;
 
-    /** min(mu_k lambda_k, tau_max B_k) of each candidate, N. */
-    std::vector<double>
-    friction_bounds(const std::vector<double> &coefficients,
-                    const std::vector<double> &normal_forces) const;
-
     /** forces += factor sum_k (lambda_k dg_k/dq - tau_k.ds_k/dq). */
     void
     add_contact_forces(const std::vector<ContactPoint<dim>> &points,
@@ -186,24 +147,17 @@ namespace Signorini
 
   private:
     void
-    add_pair(PairDescription &&description, const std::vector<bool> &is_fixed);
-
-    void
     add_allowance(const ContactPair<dim>         &pair,
                   const double                    time,
                   std::vector<ContactPoint<dim>> &points) const;
 
     void
-    number_interface(const std::vector<bool> &is_fixed);
+    number_interface();
 
     // Calls f(k, node, pair) for every candidate.
     template <typename Function>
     void
     for_each_candidate(const Function &f) const;
-
-    // The row on the interface unknowns, times a factor.
-    SparseRow
-    on_interface(const SparseRow &row, const double factor) const;
 
     const dealii::AffineConstraints<double> &hanging_nodes_;
     std::vector<ContactPair<dim>>            pairs_;
@@ -216,10 +170,9 @@ namespace Signorini
     };
     std::vector<Allowance> allowances_; // one a pair
 
-    unsigned int              n_contacts_ = 0;
-    double                    extent_     = 0.;
-    std::vector<unsigned int> interface_dofs_;
-    std::vector<unsigned int> interface_index_; // of all unknowns
+    unsigned int       n_contacts_ = 0;
+    double             extent_     = 0.;
+    InterfaceNumbering interface_;
   };
 } // namespace Signorini
 

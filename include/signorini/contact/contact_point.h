@@ -29,6 +29,10 @@ namespace Signorini
   {
     double gap = std::numeric_limits<double>::infinity(); // g, m
 
+    // B, over which the contact force is spread, with the thickness or the
+    // circumference, m^2.
+    double area = 0.;
+
     // Slip over the step along each tangent, m.
     std::array<double, 2> slip = {{0., 0.}};
 
@@ -42,6 +46,16 @@ namespace Signorini
     // for unit tangential forces, 1.
     dealii::Tensor<1, dim>                      normal;
     std::array<dealii::Tensor<1, dim>, dim - 1> tangents;
+
+    /**
+     * Contact pressure under a contact force (N), in Pa. A node that has no
+     * area (on the axis, with quadratic elements) gets zero.
+     */
+    double
+    pressure(const double force) const
+    {
+      return area > 0. ? force / area : 0.;
+    }
 
     /** Adds up the entries of the same unknown. */
     void

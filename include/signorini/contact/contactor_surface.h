@@ -15,9 +15,8 @@ namespace Signorini
     std::vector<Node<dim>> nodes;
 
     /**
-     * B_k = int N_k dA: the area that belongs to each node, with the thickness
-     * or the circumference. Contact pressure is contact force over B_k. Unit:
-     * m^2.
+     * int N_k dA: the area that belongs to each node, with the thickness or
+     * the circumference. Zero on the axis, with quadratic elements. Unit: m^2.
      */
     std::vector<double> areas;
 
@@ -31,13 +30,6 @@ namespace Signorini
     /** The whole faces of the elements: (degree + 1)^(dim-1) nodes each. */
     std::vector<std::vector<unsigned int>> elements;
     unsigned int                           degree = 1;
-
-    /**
-     * Contact pressure at a node under a contact force (N), in Pa. A node that
-     * has no area (on the axis, with quadratic elements) gets zero.
-     */
-    double
-    pressure(const unsigned int node, const double force) const;
   };
 
   /** The nodes, areas and faces of a named boundary. @throws InputError. */

@@ -34,11 +34,20 @@ namespace Signorini
                  CurveProjection            &vertex);
 
   /**
-   * The normal at a blunt joint, as between two facets of a smooth body: over
-   * 1/20 of a segment on both sides it turns from one to the other, so that a
-   * contactor node that rests on the joint has a normal at all. True if the
-   * projection is so near to one; it then counts as a vertex, without
-   * curvature.
+   * The normal n at a blunt joint (0.7 rad at most), as between two facets of a
+   * smooth body: over 1/20 of a segment on both sides it turns from one to the
+   * other, so that a contactor node that rests on the joint has a normal at
+   * all. As far above the joint it goes over into that of the nearest point: on
+   * and outside of a convex joint it has no jump.
+   *
+   * The gap is (x - y).n, zero where it was, and otherwise smaller by less than
+   * 1 - cos(turn/2). What the rows take for its gradient is n: it differs from
+   * that of the distance by half the turn at most. The gradient of (x - y).n
+   * itself would not do, since at a closed contact it is that of the facet,
+   * which jumps at the joint.
+   *
+   * True if the projection is so near to one; it then counts as a vertex,
+   * without curvature.
    */
   bool
   round_joint(const Curve &curve, CurveProjection &projection);

@@ -27,9 +27,6 @@ namespace Signorini
     std::optional<dealii::Tensor<1, 2>> contactor_normal;
     double                              maximal_cosine = -0.1;
 
-    /** Where x was found last: makes the search faster, never different. */
-    std::optional<CurveParameter> start;
-
     /**
      * Segments that are as if they did not exist: for contact of a boundary
      * with itself those beside the contactor node.

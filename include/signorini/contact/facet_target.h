@@ -1,12 +1,9 @@
 #ifndef signorini_contact_facet_target_h
 #define signorini_contact_facet_target_h
 
-#include <signorini/contact/contact_target.h>
-#include <signorini/contact/contactor_surface.h>
-#include <signorini/contact/surface_interpolation.h>
+#include <signorini/contact/deforming_target.h>
 
 #include <string>
-#include <vector>
 
 namespace Signorini
 {
@@ -23,7 +20,7 @@ namespace Signorini
    * n.y_xi dxi: nothing on a flat surface, of the order of the angle between
    * facets times the slip on a curved one.
    */
-  class FacetTarget : public ContactTarget<3>
+  class FacetTarget : public DeformingTarget<3>
   {
   public:
     /** The body must outlive the object. @throws InputError. */
@@ -31,23 +28,8 @@ namespace Signorini
                 const std::string          &boundary,
                 const SurfaceInterpolation &interpolation);
 
-    std::string
-    name() const override;
-
-    bool
-    is_flat() const override;
-
-    std::vector<unsigned int>
-    unknowns() const override;
-
     std::unique_ptr<PlacedTarget<3>>
     place(const Configuration &now, const Configuration &before) const override;
-
-  private:
-    std::string         name_;
-    ContactorSurface<3> surface_;
-    double              reach_;             // m
-    double              penetration_limit_; // m
   };
 } // namespace Signorini
 

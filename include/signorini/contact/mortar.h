@@ -6,16 +6,28 @@
 namespace Signorini
 {
   /**
-   * One candidate a node: its gap is the mean of the gaps on the surface
-   * around, weighted with the dual function psi_k of the node,
+   * One candidate a node: its gap is the mean over the share S_k of the surface
+   * that is nearer to the node than to its neighbours (in an element of degree
+   * 2 these are its mid-side nodes), as far as it has a target in reach,
    *
-   *   g_k = int psi_k g dA / B_k,   B_k = int psi_k dA = int N_k dA,
-   *   int psi_k N_l dA = delta_kl B_k   on every element,
+   *   g_k = 1/B_k int_{S_k} g dA,   B_k = int_{S_k} dA.
    *
-   * so that lambda_k = B_k p_k with the contact pressure p_k of the node, and a
-   * uniform pressure is in balance on meshes that do not match (Wohlmuth
-   * 2000; Popp, Gee & Wall 2009). Elements are cut where a node of the target
-   * lies opposite; what has no target in reach does not count.
+   * The contact force lambda_k is a pressure p_k = lambda_k/B_k on this share.
+   *
+   *  - A uniform pressure is among these pressures: it is in balance on meshes
+   *    that do not match, and its sum is right where the target ends opposite
+   *    to an element. A node that is held, or has no more than a sliver of the
+   *    target, has no contact force: its neighbour takes over its share.
+   *  - Surfaces that do not overlap have no negative gap, however they are
+   *    curved, and nothing is asked of a part that is beyond the target's end.
+   *    Dual functions, int psi_k N_l dA = 0 for k != l (Wohlmuth 2000), change
+   *    their sign and know neither. What they are for, rows that do not couple
+   *    the nodes of the contactor, the interface problem does not need. Of what
+   *    is positive and adds up to one, the shares couple least.
+   *
+   * int_{S_k} N_l dA has singular values that do not depend on the number of
+   * elements, for both degrees. Elements are cut where a node of the target
+   * lies opposite.
    */
   std::vector<ContactPoint<2>>
   mortar_points(const PlacedPair<2> &placed);

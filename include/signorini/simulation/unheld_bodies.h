@@ -20,6 +20,13 @@ namespace Signorini
    * w_k the directions in which a contact can push: the normal where it is
    * closest now, and with friction the two edges of its cone.
    *
+   * A contact that is open now may never close. Unless given motions press the
+   * bodies on each other, they are therefore moved as the loads push them, as
+   * if stiff and without friction, until the contacts that are closed can
+   * balance the loads. A circle that is pushed along a flat goes over its edge.
+   * What has gone as far as twice the size of a contactor is refused, what
+   * stays near is given the benefit of the doubt.
+   *
    * @param time at which the loads are taken, s
    * @throws InputError that names the body and the motion.
    */

@@ -1,0 +1,57 @@
+#ifndef signorini_contact_interface_numbering_h
+#define signorini_contact_interface_numbering_h
+
+#include <signorini/contact/contact_point.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * The unknowns that contacts touch, counted in the order in which they are
+   * added: those are the unknowns of the interface problem.
+   */
+  class InterfaceNumbering
+  {
+  public:
+    /** @param is_fixed unknowns that do not move with the solution */
+    explicit InterfaceNumbering(const std::vector<bool> &is_fixed);
+
+    /**
+     * Adds an unknown, or in place of that of a hanging node those that it
+     * follows; what is fixed or known already changes nothing.
+     */
+    void
+    add(const unsigned int                       unknown,
+        const dealii::AffineConstraints<double> &hanging_nodes);
+
+    /** All unknowns of the interface. */
+    const std::vector<unsigned int> &
+    unknowns() const
+    {
+      return unknowns_;
+    }
+
+    /** A row of all unknowns on those of the interface, times a factor. */
+    SparseRow
+    row(const SparseRow &of_all, const double factor) const;
+
+    /** matrix += factor grad grad g on the unknowns of the interface. */
+    void
+    add_curvature(const GapCurvature         &curvature,
+                  const double                factor,
+                  dealii::FullMatrix<double> &matrix) const;
+
+  private:
+    void
+    add_free(const unsigned int unknown);
+
+    std::vector<unsigned int> unknowns_;
+    std::vector<unsigned int> index_; // of all unknowns
+  };
+} // namespace Signorini
+
+#endif
