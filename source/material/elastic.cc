@@ -7,67 +7,66 @@ namespace Signorini
 {
   using namespace dealii;
 
-  Elastic::Elastic(const double youngs_modulus,
-                   const double poissons_ratio,
-                   const double density)
-    : Material(density)
+  ElasticConstants
+  ElasticConstants::from(const double youngs_modulus,
+                         const double poissons_ratio)
   {
-    const double mu     = 0.5 * youngs_modulus / (1. + poissons_ratio);
-    const double lambda = youngs_modulus * poissons_ratio /
-                          ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
-    tangent_ = lambda * outer_product(unit_symmetric_tensor<3>(),
-                                      unit_symmetric_tensor<3>()) +
-               2. * mu * identity_tensor<3>();
+    return {youngs_modulus / (3. * (1. - 2. * poissons_ratio)),
+            youngs_modulus / (2. * (1. + poissons_ratio))};
   }
 
 
 
-  std::unique_ptr<Material>
-  Elastic::create(const ParameterHandler &prm)
+  void
+  ElasticConstants::declare_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry("Young's modulus",
+                      "210e9",
+                      Patterns::Double(),
+                      "E > 0. Unit: Pa.");
+    prm.declare_entry("Poisson's ratio",
+                      "0.3",
+                      Patterns::Double(),
+                      "nu, greater than -1 and less than 0.5. Unit: 1.");
+  }
+
+
+
+  ElasticConstants
+  ElasticConstants::parse(const ParameterHandler &prm)
   {
     const double youngs_modulus = prm.get_double("Young's modulus");
     const double poissons_ratio = prm.get_double("Poisson's ratio");
-    const double density        = prm.get_double("Density");
-    if (youngs_modulus <= 0.)
+    if (!(youngs_modulus > 0.))
       throw InputError("Young's modulus: must be greater than zero, "
                        "in Pa (steel: 210e9), found " +
                        prm.get("Young's modulus") + ".");
-    if (poissons_ratio <= -1. || poissons_ratio >= 0.5)
+    if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
       throw InputError("Poisson's ratio: must lie between -1 and "
                        "0.5, both excluded, found " +
                        prm.get("Poisson's ratio") +
                        ". For a nearly incompressible material take 0.499.");
-    if (density < 0.)
-      throw InputError("Density: must not be negative, in kg/m^3, "
-                       "found " +
-                       prm.get("Density") + ".");
-    return std::make_unique<Elastic>(youngs_modulus, poissons_ratio, density);
+    return from(youngs_modulus, poissons_ratio);
   }
 
 
 
-  MaterialResponse
-  Elastic::respond(const Tensor<2, 3> &displacement_gradient,
-                   const MaterialHistory & /*history_n*/) const
+  StrainResponse
+  Elastic::respond(const SymmetricTensor<2, 3> &trial_strain,
+                   const double /*step_size*/,
+                   const PlasticState & /*state_n*/) const
   {
-    const SymmetricTensor<2, 3> strain = symmetrize(displacement_gradient);
-    const SymmetricTensor<2, 3> stress = tangent_ * strain;
-    return {stress, tangent_, 0.5 * (stress * strain), {}};
-  }
-
-
-
-  unsigned int
-  Elastic::n_history_values() const
-  {
-    return 0;
-  }
-
-
-
-  bool
-  Elastic::is_linear() const
-  {
-    return true;
+    const auto [bulk, shear]            = constants_;
+    const double                volumic = trace(trial_strain);
+    const SymmetricTensor<2, 3> shape   = deviator(trial_strain);
+    StrainResponse              response;
+    response.stress = 2. * shear * shape;
+    for (unsigned int i = 0; i < 3; ++i)
+      response.stress[i][i] += bulk * volumic;
+    response.bulk  = bulk;
+    response.shear = shear;
+    response.energy_density =
+      0.5 * bulk * volumic * volumic + shear * (shape * shape);
+    return response;
   }
 } // namespace Signorini

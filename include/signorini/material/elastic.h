@@ -1,42 +1,74 @@
 #ifndef signorini_material_elastic_h
 #define signorini_material_elastic_h
 
-#include <signorini/material/material.h>
+#include <signorini/material/strain_law.h>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
 
 namespace Signorini
 {
-  /**
-   * Isotropic linear elasticity for small strains,
-   *   stress = lambda tr(strain) 1 + 2 mu strain,
-   * with lambda = E nu / ((1 + nu)(1 - 2 nu)) and mu = E / (2 (1 + nu)).
-   */
-  class Elastic : public Material
+  /** Isotropic elastic constants. */
+  struct ElasticConstants
   {
-  public:
+    double bulk;  // K = E / (3 (1 - 2 nu)), Pa
+    double shear; // G = E / (2 (1 + nu)), Pa
+
     /**
      * @param youngs_modulus E > 0, Pa
      * @param poissons_ratio -1 < nu < 1/2
-     * @param density        kg/m^3, >= 0
      */
-    Elastic(const double youngs_modulus,
-            const double poissons_ratio,
-            const double density);
+    static ElasticConstants
+    from(const double youngs_modulus, const double poissons_ratio);
 
-    static std::unique_ptr<Material>
-    create(const dealii::ParameterHandler &prm);
+    static void
+    declare_parameters(dealii::ParameterHandler &prm);
 
-    MaterialResponse
-    respond(const dealii::Tensor<2, 3> &displacement_gradient,
-            const MaterialHistory      &history_n) const override;
+    /** @throws InputError. */
+    static ElasticConstants
+    parse(const dealii::ParameterHandler &prm);
 
-    unsigned int
-    n_history_values() const override;
+    /** lambda = K - 2 G / 3, Pa. */
+    double
+    lame() const
+    {
+      return bulk - 2. / 3. * shear;
+    }
+  };
+
+  /**
+   * Isotropic linear elasticity,
+   *   stress = K tr(strain) 1 + 2 G dev(strain):
+   * Hooke's law for small strains, Hencky's for logarithmic ones.
+   */
+  class Elastic : public StrainLaw
+  {
+  public:
+    explicit Elastic(const ElasticConstants &constants)
+      : constants_(constants)
+    {}
+
+    StrainResponse
+    respond(const dealii::SymmetricTensor<2, 3> &trial_strain,
+            const double                         step_size,
+            const PlasticState                  &state_n) const override;
 
     bool
-    is_linear() const override;
+    is_plastic() const override
+    {
+      return false;
+    }
+
+    bool
+    has_back_stress() const override
+    {
+      return false;
+    }
 
   private:
-    dealii::SymmetricTensor<4, 3> tangent_;
+    ElasticConstants constants_;
   };
 } // namespace Signorini
 

@@ -1,12 +1,14 @@
 #ifndef signorini_material_material_h
 #define signorini_material_material_h
 
+#include <signorini/input_error.h>
+
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace dealii
 {
@@ -15,16 +17,40 @@ namespace dealii
 
 namespace Signorini
 {
-  /** What a material point remembers between two steps. */
-  using MaterialHistory = std::vector<double>;
+  /** How strains are measured, in all bodies alike. */
+  enum class Kinematics
+  {
+    small_strain, // products of displacement gradients are neglected
+    finite_strain
+  };
 
   /** What a material answers to a deformation. */
   struct MaterialResponse
   {
-    dealii::SymmetricTensor<2, 3> stress;         // Cauchy, Pa
-    dealii::SymmetricTensor<4, 3> tangent;        // d stress / d strain, Pa
-    double                        energy_density; // stored, J/m^3
-    MaterialHistory               history;        // at the end of the step
+    // Kirchhoff stress J sigma, in space; for small strains sigma. Pa
+    dealii::SymmetricTensor<2, 3> stress;
+
+    // Symmetric. Finite strain: the Lie derivative of the stress,
+    //   d tau/dt - l tau - tau l^T = tangent : d,   l = d + w = dF/dt F^-1;
+    // small strain: d stress / d strain. Pa
+    dealii::SymmetricTensor<4, 3> tangent;
+
+    // Stored elastically, per volume before the deformation. J/m^3
+    double energy_density;
+
+    // Integral of the stress over the plastic strain since the start, J/m^3.
+    // Together with the energy this is the work of the stress.
+    double plastic_work_density;
+  };
+
+  /**
+   * A deformation for which a law has no answer. The message gives the value
+   * found; the caller adds where.
+   */
+  class MaterialFailure : public ComputationError
+  {
+  public:
+    using ComputationError::ComputationError;
   };
 
   /**
@@ -42,11 +68,39 @@ namespace Signorini
   public:
     virtual ~Material() = default;
 
+    /**
+     * Allocates nothing.
+     *
+     * @param displacement_gradient du_i/dX_j at the end of the step
+     * @param step_size s, read by laws that depend on the rate
+     * @param history_n n_history_values() numbers of the start of the step;
+     *                  a point without a past has zeros
+     * @param history   gets those of its end; must not overlap history_n
+     * @throws MaterialFailure when there is no answer.
+     */
     virtual MaterialResponse
-    respond(const dealii::Tensor<2, 3> &displacement_gradient,
-            const MaterialHistory      &history_n) const = 0;
+    respond(const dealii::Tensor<2, 3>           &displacement_gradient,
+            const double                          step_size,
+            const dealii::ArrayView<const double> history_n,
+            const dealii::ArrayView<double>       history) const = 0;
 
-    /** Number of values in a MaterialHistory of this law. */
+    /**
+     * The same for a sheet: the strain across it, entry zz of the gradient, is
+     * the one without stress zz. The other entries with a z must vanish.
+     *
+     * Stress zz is zero to 1e-12 of the stress. The tangent is that of
+     * respond(); it still has to be condensed.
+     *
+     * @param displacement_gradient comes with a guess of zz, and gets its value
+     * @throws MaterialFailure also when the strain is not found.
+     */
+    virtual MaterialResponse
+    respond_in_plane_stress(dealii::Tensor<2, 3> &displacement_gradient,
+                            const double          step_size,
+                            const dealii::ArrayView<const double> history_n,
+                            const dealii::ArrayView<double> history) const;
+
+    /** Numbers that a point remembers between two steps. */
     virtual unsigned int
     n_history_values() const = 0;
 
@@ -54,7 +108,31 @@ namespace Signorini
     virtual bool
     is_linear() const = 0;
 
-    /** Mass density, kg/m^3. */
+    /** Can it flow plastically, without change of volume? */
+    virtual bool
+    flows() const
+    {
+      return false;
+    }
+
+    /**
+     * Integral of sqrt(2/3) |rate of plastic strain|, from a history; zero for
+     * elastic laws. The history may be followed by values of others.
+     */
+    virtual double
+    equivalent_plastic_strain(
+      const dealii::ArrayView<const double> /*history*/) const
+    {
+      return 0.;
+    }
+
+    Kinematics
+    kinematics() const
+    {
+      return kinematics_;
+    }
+
+    /** Mass density before the deformation, kg/m^3. */
     double
     density() const
     {
@@ -62,12 +140,14 @@ namespace Signorini
     }
 
   protected:
-    explicit Material(const double density)
-      : density_(density)
+    Material(const Kinematics kinematics, const double density)
+      : kinematics_(kinematics)
+      , density_(density)
     {}
 
   private:
-    double density_;
+    Kinematics kinematics_;
+    double     density_;
   };
 
   /** Declares a section of this name with the entries of all laws. */
@@ -77,10 +157,14 @@ namespace Signorini
 
   /**
    * Reads the section of this name.
+   * @param base_directory to which names of files are relative
    * @throws InputError for constants that no material can have.
    */
   std::unique_ptr<Material>
-  create_material(const std::string &section, dealii::ParameterHandler &prm);
+  create_material(const std::string        &section,
+                  const Kinematics          kinematics,
+                  const std::string        &base_directory,
+                  dealii::ParameterHandler &prm);
 } // namespace Signorini
 
 #endif

@@ -1,0 +1,123 @@
+#include <signorini/material/small_strain_material.h>
+
+#include "plastic_history.h"
+#include "thickness_search.h"
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Entries by deal.II's order xx, yy, zz, xy, xz, yz of both pairs.
+    SymmetricTensor<4, 3>
+    tangent(const StrainResponse &response)
+    {
+      double entries[36] = {};
+      for (unsigned int a = 0; a < 3; ++a)
+        {
+          for (unsigned int b = 0; b < 3; ++b)
+            entries[6 * a + b] = response.bulk - 2. / 3. * response.shear;
+          entries[7 * a] += 2. * response.shear;
+          entries[7 * (a + 3)] = response.shear;
+        }
+      if (response.flows)
+        for (unsigned int a = 0; a < 6; ++a)
+          for (unsigned int b = 0; b < 6; ++b)
+            entries[6 * a + b] += response.direction.access_raw_entry(a) *
+                                    response.factor.access_raw_entry(b) +
+                                  response.factor.access_raw_entry(a) *
+                                    response.direction.access_raw_entry(b);
+      return SymmetricTensor<4, 3>(entries);
+    }
+  } // namespace
+
+
+
+  SmallStrainMaterial::SmallStrainMaterial(std::unique_ptr<const StrainLaw> law,
+                                           const double density)
+    : Material(Kinematics::small_strain, density)
+    , law_(std::move(law))
+  {}
+
+
+
+  MaterialResponse
+  SmallStrainMaterial::respond(const Tensor<2, 3> &displacement_gradient,
+                               const double        step_size,
+                               const ArrayView<const double> history_n,
+                               const ArrayView<double>       history) const
+  {
+    const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
+    return finish(plastic,
+                  law_->respond(symmetrize(displacement_gradient) - plastic,
+                                step_size,
+                                PlasticHistory::read_state(*law_, history_n)),
+                  history);
+  }
+
+
+
+  MaterialResponse
+  SmallStrainMaterial::respond_in_plane_stress(
+    Tensor<2, 3>                 &displacement_gradient,
+    const double                  step_size,
+    const ArrayView<const double> history_n,
+    const ArrayView<double>       history) const
+  {
+    const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
+    SymmetricTensor<2, 3> strain = symmetrize(displacement_gradient) - plastic;
+    const StrainResponse  response = Signorini::respond_in_plane_stress(
+      *law_, strain, step_size, PlasticHistory::read_state(*law_, history_n));
+    displacement_gradient[2][2] = strain[2][2] + plastic[2][2];
+    return finish(plastic, response, history);
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  SmallStrainMaterial::plastic_strain(
+    const ArrayView<const double> history) const
+  {
+    return law_->is_plastic() ?
+             PlasticHistory::read_symmetric(
+               history, PlasticHistory::n_state_values(*law_)) :
+             SymmetricTensor<2, 3>();
+  }
+
+
+
+  MaterialResponse
+  SmallStrainMaterial::finish(const SymmetricTensor<2, 3> &plastic_strain_n,
+                              const StrainResponse        &response,
+                              const ArrayView<double>      history) const
+  {
+    PlasticHistory::write_state(*law_, response.state, history);
+    if (law_->is_plastic())
+      PlasticHistory::write_symmetric(plastic_strain_n +
+                                        response.plastic_increment,
+                                      history,
+                                      PlasticHistory::n_state_values(*law_));
+    return {response.stress,
+            tangent(response),
+            response.energy_density,
+            response.state.plastic_work_density};
+  }
+
+
+
+  unsigned int
+  SmallStrainMaterial::n_history_values() const
+  {
+    return PlasticHistory::n_state_values(*law_) + (law_->is_plastic() ? 6 : 0);
+  }
+
+
+
+  double
+  SmallStrainMaterial::equivalent_plastic_strain(
+    const ArrayView<const double> history) const
+  {
+    return PlasticHistory::equivalent_plastic_strain(*law_, history);
+  }
+} // namespace Signorini
