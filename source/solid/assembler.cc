@@ -5,8 +5,10 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <map>
+#include <memory>
+#include <sstream>
 
-#include "strain_operator.h"
+#include "cell_response.h"
 
 namespace Signorini
 {
@@ -14,6 +16,18 @@ namespace Signorini
 
   namespace
   {
+    // Component by component of each node, whatever the element's own order.
+    template <int dim>
+    std::vector<unsigned int>
+    node_by_node(const FESystem<dim> &fe)
+    {
+      std::vector<unsigned int> order;
+      for (unsigned int a = 0; a < fe.n_dofs_per_cell() / dim; ++a)
+        for (unsigned int c = 0; c < dim; ++c)
+          order.push_back(fe.component_to_system_index(c, a));
+      return order;
+    }
+
     template <int dim>
     struct ScratchData
     {
@@ -22,6 +36,7 @@ namespace Signorini
                  body.scalar_fe(),
                  QGauss<dim>(body.scalar_fe().degree + 1),
                  flags)
+        , order(node_by_node(body.fe()))
         , indices(body.fe().n_dofs_per_cell())
       {}
 
@@ -30,175 +45,259 @@ namespace Signorini
                  other.values.get_fe(),
                  other.values.get_quadrature(),
                  other.values.get_update_flags())
+        , order(other.order)
         , indices(other.indices)
       {}
 
       FEValues<dim>                        values;
+      std::vector<unsigned int>            order;
       std::vector<types::global_dof_index> indices;
     };
 
-    struct CopyData
-    {
-      explicit CopyData(const unsigned int n_dofs)
-        : matrix(n_dofs, n_dofs)
-        , vector(n_dofs)
-        , dofs(n_dofs)
-      {}
-
-      FullMatrix<double>                   matrix;
-      Vector<double>                       vector;
-      std::vector<types::global_dof_index> dofs; // node by node
-    };
-
     // Prepares both for a cell: shape functions, and the global unknowns
-    // counted node by node whatever the element's own order is.
+    // counted node by node.
     template <int dim>
     void
     visit(const Body<dim>                                      &body,
           const typename DoFHandler<dim>::active_cell_iterator &cell,
           ScratchData<dim>                                     &scratch,
-          CopyData                                             &copy)
+          std::vector<types::global_dof_index>                 &dofs)
     {
       scratch.values.reinit(
         static_cast<typename Triangulation<dim>::cell_iterator>(cell));
       cell->get_dof_indices(scratch.indices);
-      for (unsigned int a = 0; a < body.scalar_fe().n_dofs_per_cell(); ++a)
-        for (unsigned int c = 0; c < dim; ++c)
-          copy.dofs[a * dim + c] =
-            body.first_dof() +
-            scratch.indices[body.fe().component_to_system_index(c, a)];
-      copy.matrix = 0.;
-      copy.vector = 0.;
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        dofs[i] = body.first_dof() + scratch.indices[scratch.order[i]];
+    }
+
+    template <int dim, int n_strains>
+    struct ResponseScratch : public ScratchData<dim>
+    {
+      explicit ResponseScratch(const Body<dim> &body)
+        : ScratchData<dim>(body,
+                           update_values | update_gradients |
+                             update_quadrature_points | update_JxW_values)
+        , cell(body, this->values.n_quadrature_points)
+        , displacement(body.fe().n_dofs_per_cell())
+      {}
+
+      CellResponse<dim, n_strains> cell;
+      std::vector<double>          displacement;
+    };
+
+    struct ResponseCopy
+    {
+      explicit ResponseCopy(const unsigned int n_dofs)
+        : stiffness(n_dofs, n_dofs)
+        , force(n_dofs)
+        , dofs(n_dofs)
+      {}
+
+      FullMatrix<double>                   stiffness;
+      Vector<double>                       force;
+      std::vector<types::global_dof_index> dofs;
+      double                               stored_energy = 0.;
+      double                               plastic_work  = 0.;
+      std::string                          failure;
+    };
+
+    template <int dim>
+    std::string
+    failure_in_words(const Body<dim>   &body,
+                     const Point<dim>  &centre,
+                     const std::string &reason)
+    {
+      std::ostringstream message;
+      message << "body " << body.name() << ", cell with the centre (" << centre
+              << "): " << reason;
+      return message.str();
+    }
+
+    // Answers of the linear laws, which are the same at every point and
+    // displacement.
+    template <int dim>
+    std::map<const Material *, PointResponse>
+    constant_responses(const Body<dim> &body)
+    {
+      std::map<const Material *, PointResponse> responses;
+      for (const Material *const material : body.materials())
+        if (material->is_linear())
+          responses[material] = respond(
+            body.formulation(), *material, Tensor<2, dim>(), 0., 0., {}, {});
+      return responses;
+    }
+
+    // Does a strain across the plane do work?
+    bool
+    has_strain_across(const Body<2> &body)
+    {
+      return body.formulation() == Formulation::axisymmetric ||
+             body.has_mean_dilatation();
     }
 
     template <int dim>
-    Tensor<2, dim>
-    displacement_gradient(const FEValues<dim>  &values,
-                          const unsigned int    q,
-                          const CopyData       &copy,
-                          const Vector<double> &displacement)
+    unsigned int
+    n_values_at_a_point(const Body<dim> &body)
     {
-      Tensor<2, dim> gradient;
-      for (const unsigned int a : values.dof_indices())
-        for (unsigned int c = 0; c < dim; ++c)
-          gradient[c] +=
-            displacement[copy.dofs[a * dim + c]] * values.shape_grad(a, q);
-      return gradient;
-    }
-
-    template <int dim, int n_strains>
-    void
-    cell_stiffness(const Body<dim>      &body,
-                   const Vector<double> &displacement,
-                   const double          factor,
-                   const Material       &material,
-                   const PointResponse  *constant_response,
-                   ScratchData<dim>     &scratch,
-                   CopyData             &copy)
-    {
-      const auto                                 &values = scratch.values;
-      std::vector<StrainOperator<dim, n_strains>> B(values.dofs_per_cell);
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const Point<dim> &point = values.quadrature_point(q);
-          double            hoop  = 0.;
-          for (const unsigned int a : values.dof_indices())
-            {
-              const double over_r =
-                n_strains == 4 ? values.shape_value(a, q) / point[0] : 0.;
-              B[a] = strain_operator<dim, n_strains>(values.shape_grad(a, q),
-                                                     over_r);
-              if (n_strains == 4)
-                hoop += over_r * displacement[copy.dofs[a * dim]];
-            }
-          const double weight =
-            factor * values.JxW(q) * body.volume_factor(point);
-          if (constant_response)
-            {
-              add_lower_blocks<dim, n_strains>(B,
-                                               constant_response->tangent,
-                                               weight,
-                                               copy.matrix);
-              continue;
-            }
-          const PointResponse response =
-            respond(body.formulation(),
-                    material,
-                    displacement_gradient(values, q, copy, displacement),
-                    hoop,
-                    {});
-          add_lower_blocks<dim, n_strains>(B,
-                                           response.tangent,
-                                           weight,
-                                           copy.matrix);
-          for (const unsigned int a : values.dof_indices())
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int s = 0; s < n_strains; ++s)
-                copy.vector[a * dim + c] +=
-                  weight * B[a][s][c] * response.stress[s];
-        }
-      for (unsigned int i = 0; i < copy.matrix.m(); ++i)
-        for (unsigned int j = i + 1; j < copy.matrix.n(); ++j)
-          copy.matrix(i, j) = copy.matrix(j, i);
-    }
-
-    template <int dim, int n_strains>
-    void
-    add_stiffness(const Body<dim>                 &body,
-                  const AffineConstraints<double> &constraints,
-                  const Vector<double>            &displacement,
-                  const double                     factor,
-                  SparseMatrix<double>            &stiffness,
-                  Vector<double>                  &internal_force)
-    {
-      // A linear law answers the same at every point and displacement: its
-      // tangent is asked for once, and the force is K times displacement.
-      std::map<const Material *, PointResponse> constant_responses;
+      unsigned int n = 0;
       for (const Material *const material : body.materials())
-        if (material->is_linear())
-          constant_responses[material] =
-            respond(body.formulation(), *material, Tensor<2, dim>(), 0., {});
+        n = std::max(n, n_history_values(body.formulation(), *material));
+      return n;
+    }
 
-      const auto worker = [&](const auto       &cell,
-                              ScratchData<dim> &scratch,
-                              CopyData         &copy) {
-        visit(body, cell, scratch, copy);
-        const Material &material = body.material(cell->material_id());
-        const auto      known    = constant_responses.find(&material);
-        const PointResponse *const linear =
-          known == constant_responses.end() ? nullptr : &known->second;
-        cell_stiffness<dim, n_strains>(
-          body, displacement, factor, material, linear, scratch, copy);
-        if (linear)
-          for (unsigned int i = 0; i < copy.dofs.size(); ++i)
-            for (unsigned int j = 0; j < copy.dofs.size(); ++j)
-              copy.vector[i] += copy.matrix(i, j) * displacement[copy.dofs[j]];
+    template <int dim, int n_strains>
+    void
+    add_response(const Body<dim>                 &body,
+                 const AffineConstraints<double> &constraints,
+                 const Vector<double>            &displacement,
+                 const double                     step_size,
+                 const ArrayView<const double>    history_n,
+                 const ArrayView<double>          history,
+                 SolidResponse                   &response,
+                 SparseMatrix<double>            *stiffness,
+                 const double                     factor)
+    {
+      using Scratch               = ResponseScratch<dim, n_strains>;
+      using Cell                  = CellResponse<dim, n_strains>;
+      const auto         constant = constant_responses(body);
+      const unsigned int n_values = n_values_at_a_point(body);
+      std::string        failure;
+
+      const auto worker = [&](const auto   &cell,
+                              Scratch      &scratch,
+                              ResponseCopy &copy) {
+        visit<dim>(body, cell, scratch, copy.dofs);
+        for (unsigned int i = 0; i < copy.dofs.size(); ++i)
+          scratch.displacement[i] = displacement[copy.dofs[i]];
+        const Material      &material = body.material(cell->material_id());
+        const auto           known    = constant.find(&material);
+        const unsigned int   n = n_values * scratch.values.n_quadrature_points;
+        const unsigned int   first = cell->active_cell_index() * n;
+        typename Cell::Point point{&material,
+                                   known == constant.end() ? nullptr :
+                                                             &known->second,
+                                   step_size,
+                                   {},
+                                   {},
+                                   n_values};
+        if (n > 0)
+          {
+            point.history_n.reinit(history_n.data() + first, n);
+            point.history.reinit(history.data() + first, n);
+          }
+        copy.failure.clear();
+        try
+          {
+            scratch.cell.evaluate(scratch.values,
+                                  scratch.displacement,
+                                  point,
+                                  stiffness != nullptr);
+          }
+        catch (const MaterialFailure &error)
+          {
+            copy.failure = failure_in_words(body, cell->center(), error.what());
+            return;
+          }
+        copy.stiffness = scratch.cell.stiffness;
+        copy.stiffness *= factor;
+        copy.force         = scratch.cell.force;
+        copy.stored_energy = scratch.cell.stored_energy;
+        copy.plastic_work  = scratch.cell.plastic_work;
       };
-      const auto copier = [&](const CopyData &copy) {
-        constraints.distribute_local_to_global(
-          copy.matrix, copy.vector, copy.dofs, stiffness, internal_force);
+      const auto copier = [&](const ResponseCopy &copy) {
+        if (!copy.failure.empty())
+          {
+            failure = copy.failure;
+            return;
+          }
+        response.stored_energy += copy.stored_energy;
+        response.plastic_work += copy.plastic_work;
+        if (stiffness)
+          constraints.distribute_local_to_global(copy.stiffness,
+                                                 copy.force,
+                                                 copy.dofs,
+                                                 *stiffness,
+                                                 response.internal_force);
+        else
+          constraints.distribute_local_to_global(copy.force,
+                                                 copy.dofs,
+                                                 response.internal_force);
       };
       WorkStream::run(body.dof_handler().begin_active(),
                       body.dof_handler().end(),
                       worker,
                       copier,
-                      ScratchData<dim>(body,
-                                       update_values | update_gradients |
-                                         update_quadrature_points |
-                                         update_JxW_values),
-                      CopyData(body.fe().n_dofs_per_cell()));
+                      Scratch(body),
+                      ResponseCopy(body.fe().n_dofs_per_cell()));
+      if (!failure.empty())
+        throw MaterialFailure(failure);
     }
+
+    template <int dim, int n_strains>
+    PointValues
+    point_values(const Body<dim>              &body,
+                 const Vector<double>         &displacement,
+                 const ArrayView<const double> history)
+    {
+      // So fast that no law that depends on the rate flows meanwhile.
+      constexpr double at_once = 1e-300;
+
+      ResponseScratch<dim, n_strains>      scratch(body);
+      std::vector<types::global_dof_index> dofs(body.fe().n_dofs_per_cell());
+      const unsigned int  n_points = scratch.values.n_quadrature_points;
+      const unsigned int  n_values = n_values_at_a_point(body);
+      std::vector<double> unused(n_points * n_values);
+      PointValues         result;
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        {
+          visit<dim>(body, cell, scratch, dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            scratch.displacement[i] = displacement[dofs[i]];
+          const Material     &material = body.material(cell->material_id());
+          const double *const first =
+            history.data() + cell->active_cell_index() * unused.size();
+          scratch.cell.evaluate(scratch.values,
+                                scratch.displacement,
+                                {&material,
+                                 nullptr,
+                                 at_once,
+                                 ArrayView<const double>(first, unused.size()),
+                                 ArrayView<double>(unused.data(),
+                                                   unused.size()),
+                                 n_values},
+                                false);
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              result.stresses.push_back(scratch.cell.stresses[q]);
+              result.plastic_strains.push_back(
+                material.equivalent_plastic_strain(
+                  ArrayView<const double>(first + q * n_values, n_values)));
+            }
+        }
+      return result;
+    }
+
+    struct MassCopy
+    {
+      explicit MassCopy(const unsigned int n_dofs)
+        : mass(n_dofs, n_dofs)
+        , dofs(n_dofs)
+      {}
+
+      FullMatrix<double>                   mass;
+      std::vector<types::global_dof_index> dofs;
+    };
 
     template <int dim>
     void
-    cell_mass(const Body<dim>  &body,
-              const double      density,
-              const bool        lump,
-              const double      factor,
-              ScratchData<dim> &scratch,
-              CopyData         &copy)
+    cell_mass(const Body<dim>     &body,
+              const double         density,
+              const bool           lump,
+              const double         factor,
+              const FEValues<dim> &values,
+              FullMatrix<double>  &mass)
     {
-      const auto &values = scratch.values;
+      mass = 0.;
       for (const unsigned int q : values.quadrature_point_indices())
         {
           const double weight = factor * density * values.JxW(q) *
@@ -206,10 +305,10 @@ namespace Signorini
           for (const unsigned int a : values.dof_indices())
             for (const unsigned int b : values.dof_indices())
               {
-                const double mass =
+                const double entry =
                   weight * values.shape_value(a, q) * values.shape_value(b, q);
                 for (unsigned int c = 0; c < dim; ++c)
-                  copy.matrix(a * dim + c, (lump ? a : b) * dim + c) += mass;
+                  mass(a * dim + c, (lump ? a : b) * dim + c) += entry;
               }
         }
     }
@@ -218,23 +317,62 @@ namespace Signorini
 
 
   template <int dim>
+  unsigned int
+  n_history_values(const Body<dim> &body)
+  {
+    const unsigned int n_points =
+      QGauss<dim>(body.scalar_fe().degree + 1).size();
+    return body.mesh().triangulation->n_active_cells() * n_points *
+           n_values_at_a_point(body);
+  }
+
+
+
+  template <int dim>
   void
-  add_stiffness(const Body<dim>                 &body,
-                const AffineConstraints<double> &constraints,
-                const Vector<double>            &displacement,
-                const double                     factor,
-                SparseMatrix<double>            &stiffness,
-                Vector<double>                  &internal_force)
+  add_response(const Body<dim>                 &body,
+               const AffineConstraints<double> &constraints,
+               const Vector<double>            &displacement,
+               const double                     step_size,
+               const ArrayView<const double>    history_n,
+               const ArrayView<double>          history,
+               SolidResponse                   &response,
+               SparseMatrix<double>            *stiffness,
+               const double                     factor)
+  {
+    const auto add = [&](const auto function) {
+      function(body,
+               constraints,
+               displacement,
+               step_size,
+               history_n,
+               history,
+               response,
+               stiffness,
+               factor);
+    };
+    if constexpr (dim == 3)
+      add(add_response<3, 6>);
+    else if (has_strain_across(body))
+      add(add_response<2, 4>);
+    else
+      add(add_response<2, 3>);
+  }
+
+
+
+  template <int dim>
+  PointValues
+  point_values(const Body<dim>              &body,
+               const Vector<double>         &displacement,
+               const ArrayView<const double> history)
   {
     if constexpr (dim == 3)
-      add_stiffness<3, 6>(
-        body, constraints, displacement, factor, stiffness, internal_force);
-    else if (body.formulation() == Formulation::axisymmetric)
-      add_stiffness<2, 4>(
-        body, constraints, displacement, factor, stiffness, internal_force);
+      return point_values<3, 6>(body, displacement, history);
+    else if (has_strain_across(body))
+      return point_values<2, 4>(body, displacement, history);
     else
-      add_stiffness<2, 3>(
-        body, constraints, displacement, factor, stiffness, internal_force);
+      return point_values<2, 3>(body, displacement, history);
   }
 
 
@@ -250,50 +388,46 @@ namespace Signorini
     WorkStream::run(
       body.dof_handler().begin_active(),
       body.dof_handler().end(),
-      [&](const auto &cell, ScratchData<dim> &scratch, CopyData &copy) {
-        visit(body, cell, scratch, copy);
+      [&](const auto &cell, ScratchData<dim> &scratch, MassCopy &copy) {
+        visit<dim>(body, cell, scratch, copy.dofs);
         cell_mass(body,
                   body.material(cell->material_id()).density(),
                   lump,
                   factor,
-                  scratch,
-                  copy);
+                  scratch.values,
+                  copy.mass);
       },
-      [&](const CopyData &copy) {
-        constraints.distribute_local_to_global(copy.matrix, copy.dofs, mass);
+      [&](const MassCopy &copy) {
+        constraints.distribute_local_to_global(copy.mass, copy.dofs, mass);
       },
       ScratchData<dim>(body,
                        update_values | update_quadrature_points |
                          update_JxW_values),
-      CopyData(body.fe().n_dofs_per_cell()));
+      MassCopy(body.fe().n_dofs_per_cell()));
   }
 
 
 
-  template void
-  add_stiffness<2>(const Body<2> &,
-                   const AffineConstraints<double> &,
-                   const Vector<double> &,
-                   const double,
-                   SparseMatrix<double> &,
-                   Vector<double> &);
-  template void
-  add_stiffness<3>(const Body<3> &,
-                   const AffineConstraints<double> &,
-                   const Vector<double> &,
-                   const double,
-                   SparseMatrix<double> &,
-                   Vector<double> &);
-  template void
-  add_mass<2>(const Body<2> &,
-              const AffineConstraints<double> &,
-              const bool,
-              const double,
-              SparseMatrix<double> &);
-  template void
-  add_mass<3>(const Body<3> &,
-              const AffineConstraints<double> &,
-              const bool,
-              const double,
-              SparseMatrix<double> &);
+#define INSTANTIATE(dim)                                                     \
+  template unsigned int n_history_values<dim>(const Body<dim> &);            \
+  template void         add_response<dim>(const Body<dim> &,                 \
+                                  const AffineConstraints<double> &, \
+                                  const Vector<double> &,            \
+                                  const double,                      \
+                                  const ArrayView<const double>,     \
+                                  const ArrayView<double>,           \
+                                  SolidResponse &,                   \
+                                  SparseMatrix<double> *,            \
+                                  const double);                     \
+  template PointValues  point_values<dim>(const Body<dim> &,                 \
+                                         const Vector<double> &,            \
+                                         const ArrayView<const double>);    \
+  template void         add_mass<dim>(const Body<dim> &,                     \
+                              const AffineConstraints<double> &,     \
+                              const bool,                            \
+                              const double,                          \
+                              SparseMatrix<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

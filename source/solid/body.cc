@@ -64,6 +64,14 @@ namespace Signorini
                       Patterns::Integer(1, 6),
                       "Polynomial degree of the displacements (FE_Q). 1: "
                       "bilinear, 2: biquadratic with curved edges.");
+    prm.declare_entry("Dilatation",
+                      "automatic",
+                      Patterns::Selection("automatic|pointwise|mean"),
+                      "The change of volume in a cell. pointwise: as the "
+                      "displacements say; mean: the same at all points of a "
+                      "cell (Q1-P0), so that bilinear elements do not lock "
+                      "under plastic flow; automatic: mean for elasto-plastic "
+                      "bodies of Element degree 1.");
     prm.declare_entry("Thickness",
                       "1",
                       Patterns::Double(0.),
@@ -94,11 +102,14 @@ namespace Signorini
   template <int dim>
   Body<dim>::Body(const std::string &name,
                   const Formulation  formulation,
+                  const Kinematics   kinematics,
                   const std::string &base_directory,
                   const unsigned int first_dof,
                   ParameterHandler  &prm)
     : name_(name)
     , formulation_(formulation)
+    , kinematics_(kinematics)
+    , has_mean_dilatation_(false)
     , mesh_(named(name,
                   [&] {
                     return create_mesh<dim>(prm,
@@ -108,7 +119,13 @@ namespace Signorini
                                               "axisymmetric" :
                                               "");
                   }))
-    , material_(named(name, [&] { return create_material("Material", prm); }))
+    , material_(named(name,
+                      [&] {
+                        return create_material("Material",
+                                               kinematics_,
+                                               base_directory,
+                                               prm);
+                      }))
     , thickness_(prm.get_double("Thickness"))
     , mass_damping_(prm.get_double("Mass damping"))
     , stiffness_damping_(prm.get_double("Stiffness damping"))
@@ -119,7 +136,8 @@ namespace Signorini
                        " / Thickness: must be greater than zero, in m, "
                        "found " +
                        prm.get("Thickness") + ".");
-    create_region_materials(prm);
+    create_region_materials(base_directory, prm);
+    choose_dilatation(prm);
     distribute_dofs(prm.get_integer("Element degree"));
   }
 
@@ -127,7 +145,8 @@ namespace Signorini
 
   template <int dim>
   void
-  Body<dim>::create_region_materials(ParameterHandler &prm)
+  Body<dim>::create_region_materials(const std::string &base_directory,
+                                     ParameterHandler  &prm)
   {
     for (const std::string &region : split_list(prm.get("Regions"), ','))
       {
@@ -144,9 +163,32 @@ namespace Signorini
                              " It has: " + comma_separated(names) + ".");
           }
         region_materials_[found->second] = named(name_, [&] {
-          return create_material("Material " + region, prm);
+          return create_material("Material " + region,
+                                 kinematics_,
+                                 base_directory,
+                                 prm);
         });
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Body<dim>::choose_dilatation(const ParameterHandler &prm)
+  {
+    const std::string choice     = prm.get("Dilatation");
+    const bool        is_linear  = prm.get_integer("Element degree") == 1;
+    const bool        has_volume = formulation_ != Formulation::plane_stress;
+    if (choice == "mean" && !(is_linear && has_volume))
+      throw InputError("Body " + name_ +
+                       " / Dilatation: mean needs Element degree = 1 and no "
+                       "plane stress, where nothing locks. Set Dilatation = "
+                       "automatic.");
+    has_mean_dilatation_ = choice == "mean";
+    if (choice == "automatic" && is_linear && has_volume)
+      for (const Material *const material : materials())
+        has_mean_dilatation_ = has_mean_dilatation_ || material->flows();
   }
 
 

@@ -15,30 +15,61 @@ namespace Signorini
        {"axisymmetric", Formulation::axisymmetric},
        {"three dimensional", Formulation::three_dimensional}}};
 
-    // Newton's method for the strain across the thickness that makes
-    // stress_zz vanish. A linear law needs one correction.
-    MaterialResponse
-    plane_stress_response(const Material        &material,
-                          Tensor<2, 3>          &gradient,
-                          const MaterialHistory &history_n)
+    // tr(H) of the plane, or det(1 + H) - 1.
+    double
+    plane_volume_change(const Tensor<2, 3> &gradient,
+                        const Kinematics    kinematics)
     {
-      for (unsigned int iteration = 0; iteration < 50; ++iteration)
-        {
-          const MaterialResponse response =
-            material.respond(gradient, history_n);
-          const double stiffness = response.tangent[2][2][2][2];
-          const double stress    = response.stress[2][2];
-          if (std::abs(stress) <= 1e-12 * response.stress.norm() ||
-              std::abs(stress) <= 1e-300)
-            return response;
-          const double correction = -stress / stiffness;
-          if (std::abs(correction) <= 1e-16 * gradient.norm())
-            return response;
-          gradient[2][2] += correction;
-        }
-      throw ComputationError("Plane stress: the strain across the thickness "
-                             "was not found in 50 iterations. Take smaller "
-                             "steps.");
+      const double trace = gradient[0][0] + gradient[1][1];
+      return kinematics == Kinematics::small_strain ?
+               trace :
+               trace + gradient[0][0] * gradient[1][1] -
+                 gradient[0][1] * gradient[1][0];
+    }
+
+    // The thickness with which the volume has this change. Flow keeps the
+    // volume, and an elastic law answers to any strain nearly linearly: this is
+    // where the search starts.
+    double
+    thickness_of_volume(const double        volume_change,
+                        const Tensor<2, 3> &gradient,
+                        const Kinematics    kinematics)
+    {
+      const double plane = plane_volume_change(gradient, kinematics);
+      if (kinematics == Kinematics::small_strain)
+        return volume_change - plane;
+      // An inverted plane is refused by the material.
+      return plane > -1. ? (volume_change - plane) / (1. + plane) : 0.;
+    }
+
+    double
+    volume_change(const Tensor<2, 3> &gradient, const Kinematics kinematics)
+    {
+      const double plane     = plane_volume_change(gradient, kinematics);
+      const double thickness = gradient[2][2];
+      return kinematics == Kinematics::small_strain ?
+               plane + thickness :
+               plane + thickness + plane * thickness;
+    }
+
+    MaterialResponse
+    plane_stress_response(const Material               &material,
+                          Tensor<2, 3>                 &gradient,
+                          const double                  step_size,
+                          const ArrayView<const double> history_n,
+                          const ArrayView<double>       history)
+    {
+      const Kinematics   kinematics = material.kinematics();
+      const unsigned int n          = material.n_history_values();
+      const bool         remembers  = history.size() > n;
+      if (remembers)
+        gradient[2][2] =
+          thickness_of_volume(history_n[n], gradient, kinematics);
+      const MaterialResponse response = material.respond_in_plane_stress(
+        gradient, step_size, history_n, history);
+      if (remembers)
+        history[n] = volume_change(gradient, kinematics);
+      return response;
     }
 
     // Eliminates the strain zz, whose stress is zero.
@@ -96,16 +127,16 @@ namespace Signorini
   strain_components(const Formulation formulation)
   {
     using List = std::vector<std::pair<unsigned int, unsigned int>>;
-    static const List plane        = {{0, 0}, {1, 1}, {0, 1}};
-    static const List axisymmetric = {{0, 0}, {1, 1}, {2, 2}, {0, 1}};
+    static const List plane            = {{0, 0}, {1, 1}, {0, 1}};
+    static const List plane_and_across = {{0, 0}, {1, 1}, {0, 1}, {2, 2}};
     static const List solid = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
     switch (formulation)
       {
-        case Formulation::plane_strain:
         case Formulation::plane_stress:
           return plane;
+        case Formulation::plane_strain:
         case Formulation::axisymmetric:
-          return axisymmetric;
+          return plane_and_across;
         default:
           return solid;
       }
@@ -113,25 +144,44 @@ namespace Signorini
 
 
 
+  unsigned int
+  n_history_values(const Formulation formulation, const Material &material)
+  {
+    const bool searches_thickness =
+      formulation == Formulation::plane_stress && !material.is_linear();
+    return material.n_history_values() + searches_thickness;
+  }
+
+
+
   template <int dim>
   PointResponse
-  respond(const Formulation      formulation,
-          const Material        &material,
-          const Tensor<2, dim>  &plane_gradient,
-          const double           hoop_strain,
-          const MaterialHistory &history_n)
+  respond(const Formulation             formulation,
+          const Material               &material,
+          const Tensor<2, dim>         &plane_gradient,
+          const double                  thickness_strain,
+          const double                  step_size,
+          const ArrayView<const double> history_n,
+          const ArrayView<double>       history)
   {
     Tensor<2, 3> gradient;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         gradient[i][j] = plane_gradient[i][j];
-    if (formulation == Formulation::axisymmetric)
-      gradient[2][2] = hoop_strain;
+    if (formulation == Formulation::axisymmetric ||
+        formulation == Formulation::plane_strain)
+      gradient[2][2] = thickness_strain;
+    const bool is_finite = material.kinematics() == Kinematics::finite_strain;
+    if (is_finite && !(thickness_strain > -1.))
+      throw MaterialFailure("a point has crossed the axis: its radius became " +
+                            std::to_string(1. + thickness_strain) +
+                            " of what it was.");
 
     const MaterialResponse full =
       formulation == Formulation::plane_stress ?
-        plane_stress_response(material, gradient, history_n) :
-        material.respond(gradient, history_n);
+        plane_stress_response(
+          material, gradient, step_size, history_n, history) :
+        material.respond(gradient, step_size, history_n, history);
 
     const auto   &components = strain_components(formulation);
     PointResponse reduced;
@@ -145,9 +195,12 @@ namespace Signorini
       }
     if (formulation == Formulation::plane_stress)
       condense_thickness_strain(reduced.tangent, full.tangent, components);
-    reduced.full_stress    = full.stress;
-    reduced.energy_density = full.energy_density;
-    reduced.history        = full.history;
+    reduced.cauchy_stress = full.stress;
+    if (is_finite)
+      reduced.cauchy_stress /=
+        determinant(gradient + unit_symmetric_tensor<3>());
+    reduced.energy_density       = full.energy_density;
+    reduced.plastic_work_density = full.plastic_work_density;
     return reduced;
   }
 
@@ -177,13 +230,17 @@ namespace Signorini
              const Material &,
              const Tensor<2, 2> &,
              const double,
-             const MaterialHistory &);
+             const double,
+             const ArrayView<const double>,
+             const ArrayView<double>);
   template PointResponse
   respond<3>(const Formulation,
              const Material &,
              const Tensor<2, 3> &,
              const double,
-             const MaterialHistory &);
+             const double,
+             const ArrayView<const double>,
+             const ArrayView<double>);
   template double
   volume_factor<2>(const Formulation, const Point<2> &, const double);
   template double

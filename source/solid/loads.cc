@@ -6,6 +6,9 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
+#include <array>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -17,6 +20,84 @@ namespace Signorini
     section(const Body<dim> &body)
     {
       return "Body " + body.name() + " / Loads / ";
+    }
+
+    // The unknowns at the nodes of a cell.
+    template <int dim>
+    class CellDofs
+    {
+    public:
+      explicit CellDofs(const Body<dim> &body)
+        : body(body)
+        , indices(body.fe().n_dofs_per_cell())
+        , dofs(body.scalar_fe().n_dofs_per_cell())
+      {
+        for (unsigned int a = 0; a < dofs.size(); ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            order.push_back(body.fe().component_to_system_index(c, a));
+      }
+
+      void
+      reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int a = 0; a < dofs.size(); ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            dofs[a][c] = body.first_dof() + indices[order[a * dim + c]];
+      }
+
+      Tensor<1, dim>
+      at_node(const unsigned int a, const Vector<double> &values) const
+      {
+        Tensor<1, dim> result;
+        for (unsigned int c = 0; c < dim; ++c)
+          result[c] = values[dofs[a][c]];
+        return result;
+      }
+
+      void
+      add(const unsigned int    a,
+          const Tensor<1, dim> &force,
+          Vector<double>       &forces) const
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          forces[dofs[a][c]] += force[c];
+      }
+
+      const Body<dim> &body;
+
+    private:
+      std::vector<types::global_dof_index>       indices;
+      std::vector<std::array<unsigned int, dim>> dofs;
+      std::vector<unsigned int>                  order;
+    };
+
+    // J F^-T n: the normal times the present area over that at first. The
+    // hoop's stretch counts, a change of thickness does not.
+    template <int dim>
+    Tensor<1, dim>
+    deformed_area(const FEFaceValues<dim> &values,
+                  const unsigned int       q,
+                  const CellDofs<dim>     &dofs,
+                  const Vector<double>    &displacement)
+    {
+      Tensor<2, dim> F;
+      for (unsigned int i = 0; i < dim; ++i)
+        F[i][i] = 1.;
+      Tensor<1, dim> u;
+      for (const unsigned int a : values.dof_indices())
+        {
+          const Tensor<1, dim> u_a = dofs.at_node(a, displacement);
+          F += outer_product(u_a, values.shape_grad(a, q));
+          u += values.shape_value(a, q) * u_a;
+        }
+      const double radius = values.quadrature_point(q)[0];
+      const double around =
+        dofs.body.formulation() == Formulation::axisymmetric && radius > 0. ?
+          1. + u[0] / radius :
+          1.;
+      return around * determinant(F) * transpose(invert(F)) *
+             values.normal_vector(q);
     }
   } // namespace
 
@@ -38,7 +119,8 @@ namespace Signorini
                       "",
                       text,
                       "Pressure against named boundaries, positive into the "
-                      "body: `inner: 100e6'. Unit: Pa.");
+                      "body: `inner: 100e6'. With Kinematics = finite strain "
+                      "it follows the surface. Unit: Pa.");
     prm.declare_entry("Body force",
                       "",
                       text,
@@ -206,14 +288,42 @@ namespace Signorini
       force += function.vector_value(point, time);
     for (const auto &function : accelerations_)
       force += density * function.vector_value(point, time);
+    if (!is_finite())
+      force += density * centrifugal_acceleration(point, point, time);
+    return force;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Loads<dim>::centrifugal_acceleration(const Point<dim> &now,
+                                       const Point<dim> &at_first,
+                                       const double      time) const
+  {
+    Tensor<1, dim> acceleration;
     for (const auto &function : rotation_)
       {
-        const double   omega = function.value(point, time);
-        Tensor<1, dim> arm   = point - rotation_centre_;
+        const double   omega = function.value(at_first, time);
+        Tensor<1, dim> arm   = now - rotation_centre_;
         arm -= (arm * rotation_axis_) * rotation_axis_;
-        force += density * omega * omega * arm;
+        acceleration += omega * omega * arm;
       }
-    return force;
+    return acceleration;
+  }
+
+
+
+  template <int dim>
+  bool
+  Loads<dim>::follow() const
+  {
+    return is_finite() &&
+           (!rotation_.empty() || std::any_of(boundary_loads_.begin(),
+                                              boundary_loads_.end(),
+                                              [](const BoundaryLoad &load) {
+                                                return load.is_pressure;
+                                              }));
   }
 
 
@@ -222,8 +332,8 @@ namespace Signorini
   void
   Loads<dim>::add_forces(const double time, Vector<double> &forces) const
   {
-    add_volume_forces(time, forces);
-    add_boundary_forces(time, forces);
+    add_volume_forces(time, nullptr, forces);
+    add_boundary_forces(time, nullptr, forces);
     for (const auto &[node, value] : point_forces_)
       for (unsigned int c = 0; c < dim; ++c)
         forces[node.dofs[c]] += value.value(node.point, time, c);
@@ -233,11 +343,28 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_volume_forces(const double time, Vector<double> &forces) const
+  Loads<dim>::add_following_forces(const double          time,
+                                   const Vector<double> &displacement,
+                                   Vector<double>       &forces) const
   {
-    if (body_forces_.empty() && accelerations_.empty() && rotation_.empty())
+    add_volume_forces(time, &displacement, forces);
+    add_boundary_forces(time, &displacement, forces);
+  }
+
+
+
+  template <int dim>
+  void
+  Loads<dim>::add_volume_forces(const double          time,
+                                const Vector<double> *displacement,
+                                Vector<double>       &forces) const
+  {
+    const bool is_loaded = displacement ?
+                             is_finite() && !rotation_.empty() :
+                             !body_forces_.empty() || !accelerations_.empty() ||
+                               (!is_finite() && !rotation_.empty());
+    if (!is_loaded)
       return;
-    const auto &fe = body_->fe();
     // One point more than for the stiffness: the loads may be curved.
     const QGauss<dim> quadrature(body_->scalar_fe().degree + 2);
     FEValues<dim>     values(body_->mapping(),
@@ -245,24 +372,30 @@ namespace Signorini
                          quadrature,
                          update_values | update_quadrature_points |
                            update_JxW_values);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    CellDofs<dim>     dofs(*body_);
     for (const auto &cell : body_->dof_handler().active_cell_iterators())
       {
         values.reinit(
           static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-        cell->get_dof_indices(indices);
+        dofs.reinit(cell);
         const double density = body_->material(cell->material_id()).density();
         for (const unsigned int q : values.quadrature_point_indices())
           {
-            const Point<dim>    &point = values.quadrature_point(q);
-            const Tensor<1, dim> force = force_density(point, density, time) *
-                                         values.JxW(q) *
-                                         body_->volume_factor(point);
+            const Point<dim> &point = values.quadrature_point(q);
+            Tensor<1, dim>    force;
+            if (displacement)
+              {
+                Point<dim> now = point;
+                for (const unsigned int a : values.dof_indices())
+                  now +=
+                    values.shape_value(a, q) * dofs.at_node(a, *displacement);
+                force = density * centrifugal_acceleration(now, point, time);
+              }
+            else
+              force = force_density(point, density, time);
+            force *= values.JxW(q) * body_->volume_factor(point);
             for (const unsigned int a : values.dof_indices())
-              for (unsigned int c = 0; c < dim; ++c)
-                forces[body_->first_dof() +
-                       indices[fe.component_to_system_index(c, a)]] +=
-                  values.shape_value(a, q) * force[c];
+              dofs.add(a, values.shape_value(a, q) * force, forces);
           }
       }
   }
@@ -271,44 +404,49 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_boundary_forces(const double    time,
-                                  Vector<double> &forces) const
+  Loads<dim>::add_boundary_forces(const double          time,
+                                  const Vector<double> *displacement,
+                                  Vector<double>       &forces) const
   {
-    if (boundary_loads_.empty())
+    const auto is_due = [&](const BoundaryLoad &load) {
+      return (load.is_pressure && is_finite()) == (displacement != nullptr);
+    };
+    if (std::none_of(boundary_loads_.begin(), boundary_loads_.end(), is_due))
       return;
-    const auto           &fe = body_->fe();
     const QGauss<dim - 1> quadrature(body_->scalar_fe().degree + 2);
     FEFaceValues<dim>     values(body_->mapping(),
                              body_->scalar_fe(),
                              quadrature,
-                             update_values | update_quadrature_points |
-                               update_JxW_values | update_normal_vectors);
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+                             update_values | update_gradients |
+                               update_quadrature_points | update_JxW_values |
+                               update_normal_vectors);
+    CellDofs<dim>         dofs(*body_);
     for (const auto &cell : body_->dof_handler().active_cell_iterators())
       for (const unsigned int face : cell->face_indices())
         for (const auto &load : boundary_loads_)
           {
-            if (!cell->face(face)->at_boundary() ||
+            if (!is_due(load) || !cell->face(face)->at_boundary() ||
                 cell->face(face)->boundary_id() != load.boundary)
               continue;
             values.reinit(
               static_cast<typename Triangulation<dim>::cell_iterator>(cell),
               face);
-            cell->get_dof_indices(indices);
+            dofs.reinit(cell);
             for (const unsigned int q : values.quadrature_point_indices())
               {
-                const Point<dim>    &point = values.quadrature_point(q);
+                const Point<dim> &point  = values.quadrature_point(q);
+                Tensor<1, dim>    normal = values.normal_vector(q);
+                if (displacement)
+                  normal = deformed_area(values, q, dofs, *displacement);
                 const Tensor<1, dim> traction =
-                  load.is_pressure ?
-                    -load.value.value(point, time) * values.normal_vector(q) :
-                    load.value.vector_value(point, time);
+                  load.is_pressure ? -load.value.value(point, time) * normal :
+                                     load.value.vector_value(point, time);
                 const double weight =
                   values.JxW(q) * body_->volume_factor(point);
                 for (const unsigned int a : values.dof_indices())
-                  for (unsigned int c = 0; c < dim; ++c)
-                    forces[body_->first_dof() +
-                           indices[fe.component_to_system_index(c, a)]] +=
-                      values.shape_value(a, q) * traction[c] * weight;
+                  dofs.add(a,
+                           weight * values.shape_value(a, q) * traction,
+                           forces);
               }
           }
   }

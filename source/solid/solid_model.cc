@@ -9,6 +9,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <limits>
+#include <sstream>
 
 namespace Signorini
 {
@@ -51,7 +52,10 @@ namespace Signorini
                               std::vector<LumpedUnknown> lumped)
     : parts_(std::move(parts))
     , lumped_(std::move(lumped))
+    , is_linear_(true)
+    , first_history_(1, 0)
     , loads_vary_(false)
+    , loads_follow_(false)
     , supports_are_fixed_(true)
     , force_time_(std::numeric_limits<double>::quiet_NaN())
   {
@@ -61,7 +65,12 @@ namespace Signorini
         Assert(part.body->first_dof() == n_dofs, ExcInternalError());
         n_dofs += part.body->n_dofs();
         add_hanging_nodes(*part.body, constraints_);
+        for (const Material *const material : part.body->materials())
+          is_linear_ = is_linear_ && material->is_linear();
+        first_history_.push_back(first_history_.back() +
+                                 n_history_values(*part.body));
         loads_vary_         = loads_vary_ || part.loads.depend_on_time();
+        loads_follow_       = loads_follow_ || part.loads.follow();
         supports_are_fixed_ = supports_are_fixed_ && part.supports.are_fixed();
       }
     constraints_.close();
@@ -81,6 +90,7 @@ namespace Signorini
           supports_are_fixed_           = false;
         }
     force_.reinit(n_dofs);
+    following_force_.reinit(n_dofs);
   }
 
 
@@ -122,19 +132,39 @@ namespace Signorini
     build_sparsity();
 
     stiffness_.reinit(sparsity_);
-    Vector<double> internal_force(n_dofs());
-    for (const auto &part : parts_)
-      add_stiffness(*part.body,
-                    constraints_,
-                    Vector<double>(n_dofs()),
-                    1.,
-                    stiffness_,
-                    internal_force);
-    clear_condensed_diagonal(constraints_, stiffness_);
+    add_initial_stiffness([](const Body<dim> &) { return 1.; }, stiffness_);
     if (inertia.present)
       assemble_inertia(inertia);
-    else
-      hold_free_bodies();
+    hold_free_bodies();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidModel<dim>::add_initial_stiffness(
+    const std::function<double(const Body<dim> &)> &factor,
+    SparseMatrix<double>                           &matrix) const
+  {
+    const Vector<double>      zero(n_dofs());
+    const std::vector<double> history_n = initial_history();
+    SolidResponse             response;
+    response.internal_force.reinit(n_dofs());
+    response.history = history_n;
+    for (unsigned int b = 0; b < parts_.size(); ++b)
+      if (factor(*parts_[b].body) != 0.)
+        add_response(
+          *parts_[b].body,
+          constraints_,
+          zero,
+          0.,
+          history_of(b, history_n),
+          make_array_view(response.history.data() + first_history_[b],
+                          response.history.data() + first_history_[b + 1]),
+          response,
+          &matrix,
+          factor(*parts_[b].body));
+    clear_condensed_diagonal(constraints_, matrix);
   }
 
 
@@ -193,8 +223,6 @@ namespace Signorini
   SolidModel<dim>::assemble_inertia(const Inertia &inertia)
   {
     SparseMatrix<double> mass(sparsity_), damping(sparsity_);
-    Vector<double>       internal_force(n_dofs());
-    const Vector<double> zero(n_dofs());
     bool                 is_damped = false;
     for (const auto &part : parts_)
       {
@@ -209,18 +237,12 @@ namespace Signorini
         if (body.mass_damping() > 0.)
           add_mass(
             body, constraints_, inertia.lumped, body.mass_damping(), damping);
-        if (body.stiffness_damping() > 0.)
-          add_stiffness(body,
-                        constraints_,
-                        zero,
-                        body.stiffness_damping(),
-                        damping,
-                        internal_force);
         is_damped = is_damped || body.mass_damping() > 0. ||
                     body.stiffness_damping() > 0.;
       }
+    add_initial_stiffness(
+      [](const Body<dim> &body) { return body.stiffness_damping(); }, damping);
     clear_condensed_diagonal(constraints_, mass);
-    clear_condensed_diagonal(constraints_, damping);
     for (unsigned int l = 0; l < lumped_.size(); ++l)
       mass.set(first_lumped() + l, first_lumped() + l, lumped_[l].mass);
     mass_.reinit(sparsity_);
@@ -235,19 +257,89 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
-  SolidModel<dim>::internal_force(const Vector<double> &displacement) const
+  std::string
+  SolidModel<dim>::unknown_in_words(const unsigned int unknown) const
   {
-    Vector<double> force(n_dofs());
-    stiffness_.vmult(force, displacement);
-    return force;
+    for (const auto &part : parts_)
+      for (const auto &node : part.body->nodes())
+        if (std::find(node.dofs.begin(), node.dofs.end(), unknown) !=
+            node.dofs.end())
+          {
+            std::ostringstream words;
+            words << "the node (" << node.point << ") of body "
+                  << part.body->name();
+            return words.str();
+          }
+    return "a rigid body";
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  SolidModel<dim>::initial_history() const
+  {
+    return std::vector<double>(first_history_.back(), 0.);
+  }
+
+
+
+  template <int dim>
+  ArrayView<const double>
+  SolidModel<dim>::history_of(const unsigned int         b,
+                              const std::vector<double> &history) const
+  {
+    return make_array_view(history.data() + first_history_[b],
+                           history.data() + first_history_[b + 1]);
+  }
+
+
+
+  template <int dim>
+  SolidResponse
+  SolidModel<dim>::respond(const Vector<double>      &displacement,
+                           const double               step_size,
+                           const std::vector<double> &history_n,
+                           SparseMatrix<double>      *tangent) const
+  {
+    SolidResponse response;
+    response.internal_force.reinit(n_dofs());
+    if (is_linear_)
+      {
+        stiffness_.vmult(response.internal_force, displacement);
+        response.stored_energy = 0.5 * (displacement * response.internal_force);
+        return response;
+      }
+    AssertDimension(history_n.size(), first_history_.back());
+    response.history = history_n;
+    if (tangent)
+      {
+        if (tangent->empty())
+          tangent->reinit(sparsity_);
+        *tangent = 0.;
+      }
+    for (unsigned int b = 0; b < parts_.size(); ++b)
+      add_response(*parts_[b].body,
+                   constraints_,
+                   displacement,
+                   step_size,
+                   history_of(b, history_n),
+                   make_array_view(response.history.data() + first_history_[b],
+                                   response.history.data() +
+                                     first_history_[b + 1]),
+                   response,
+                   tangent);
+    if (tangent)
+      clear_condensed_diagonal(constraints_, *tangent);
+    return response;
   }
 
 
 
   template <int dim>
   const Vector<double> &
-  SolidModel<dim>::external_force(const double time) const
+  SolidModel<dim>::external_force(const double          time,
+                                  const Vector<double> &displacement) const
   {
     const bool is_known =
       loads_vary_ ? force_time_ == time : !std::isnan(force_time_);
@@ -262,7 +354,14 @@ namespace Signorini
         constraints_.condense(force_);
         force_time_ = time;
       }
-    return force_;
+    if (!loads_follow_)
+      return force_;
+    following_force_ = 0.;
+    for (const auto &part : parts_)
+      part.loads.add_following_forces(time, displacement, following_force_);
+    constraints_.condense(following_force_);
+    following_force_ += force_;
+    return following_force_;
   }
 
 
@@ -312,8 +411,9 @@ namespace Signorini
   double
   SolidModel<dim>::stiffness_at_load(const double time) const
   {
-    const Vector<double> &force = external_force(time);
-    Tensor<1, dim>        resultant;
+    const Vector<double> &force =
+      external_force(time, Vector<double>(n_dofs()));
+    Tensor<1, dim> resultant;
     for (const auto &part : parts_)
       for (const auto &node : part.body->nodes())
         for (unsigned int c = 0; c < dim; ++c)

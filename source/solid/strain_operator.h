@@ -13,7 +13,8 @@ namespace Signorini
 {
   /**
    * B_a of one node: the reduced strains of formulation.h from the node's
-   * displacement, n_strains x dim. 3 strains: plane, 4: axisymmetric, 6: solid.
+   * displacement, n_strains x dim. 3 strains: plane, 4: with that across the
+   * plane or around the axis, 6: solid.
    */
   template <int dim, int n_strains>
   using StrainOperator = std::array<std::array<double, dim>, n_strains>;
@@ -29,7 +30,7 @@ namespace Signorini
     if constexpr (n_strains == 3)
       return {{{{g[0], 0.}}, {{0., g[1]}}, {{g[1], g[0]}}}};
     else if constexpr (n_strains == 4)
-      return {{{{g[0], 0.}}, {{0., g[1]}}, {{over_r, 0.}}, {{g[1], g[0]}}}};
+      return {{{{g[0], 0.}}, {{0., g[1]}}, {{g[1], g[0]}}, {{over_r, 0.}}}};
     else
       return {{{{g[0], 0., 0.}},
                {{0., g[1], 0.}},

@@ -1,10 +1,10 @@
+#include <signorini/solid/assembler.h>
 #include <signorini/solid/stress_recovery.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
 
 namespace Signorini
 {
@@ -85,63 +85,32 @@ namespace Signorini
 
   template <int dim>
   std::map<std::string, Vector<double>>
-  StressRecovery<dim>::fields(const Vector<double> &displacement) const
+  StressRecovery<dim>::fields(const Vector<double>         &displacement,
+                              const ArrayView<const double> history) const
   {
-    const Body<dim>  &body = *body_;
-    const QGauss<dim> quadrature(body.scalar_fe().degree + 1);
-    FEValues<dim>     values(body.mapping(),
-                         body.scalar_fe(),
-                         quadrature,
-                         update_values | update_gradients |
-                           update_quadrature_points);
-
-    const unsigned int                   n_nodes = dof_handler_.n_dofs();
+    const auto         at_points = point_values(*body_, displacement, history);
+    const unsigned int n_nodes   = dof_handler_.n_dofs();
     std::vector<SymmetricTensor<2, 3>>   stress(n_nodes);
+    Vector<double>                       plastic_strain(n_nodes);
     std::vector<unsigned int>            n_cells(n_nodes);
     std::vector<types::global_dof_index> nodes(
-      body.scalar_fe().n_dofs_per_cell());
-    std::vector<types::global_dof_index> dofs(body.fe().n_dofs_per_cell());
-    std::vector<SymmetricTensor<2, 3>>   at_points(quadrature.size());
-
-    auto cell_with_dofs = body.dof_handler().begin_active();
+      body_->scalar_fe().n_dofs_per_cell());
+    const unsigned int n_points = extrapolation_.n();
     for (const auto &cell : dof_handler_.active_cell_iterators())
       {
-        values.reinit(cell);
         cell->get_dof_indices(nodes);
-        cell_with_dofs->get_dof_indices(dofs);
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            Tensor<2, dim> gradient;
-            double         radial = 0.;
-            for (const unsigned int a : values.dof_indices())
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  const double u =
-                    displacement[body.first_dof() +
-                                 dofs[body.fe().component_to_system_index(c,
-                                                                          a)]];
-                  gradient[c] += u * values.shape_grad(a, q);
-                  if (c == 0)
-                    radial += u * values.shape_value(a, q);
-                }
-            const double hoop_strain =
-              body.formulation() == Formulation::axisymmetric ?
-                radial / values.quadrature_point(q)[0] :
-                0.;
-            at_points[q] = respond(body.formulation(),
-                                   body.material(cell->material_id()),
-                                   gradient,
-                                   hoop_strain,
-                                   {})
-                             .full_stress;
-          }
-        for (const unsigned int a : values.dof_indices())
+        const unsigned int first = cell->active_cell_index() * n_points;
+        for (unsigned int a = 0; a < nodes.size(); ++a)
           {
             ++n_cells[nodes[a]];
-            for (const unsigned int q : values.quadrature_point_indices())
-              stress[nodes[a]] += extrapolation_(a, q) * at_points[q];
+            for (unsigned int q = 0; q < n_points; ++q)
+              {
+                const double weight = extrapolation_(a, q);
+                stress[nodes[a]] += weight * at_points.stresses[first + q];
+                plastic_strain[nodes[a]] +=
+                  weight * at_points.plastic_strains[first + q];
+              }
           }
-        ++cell_with_dofs;
       }
 
     std::map<std::string, Vector<double>> result;
@@ -154,11 +123,13 @@ namespace Signorini
     for (unsigned int n = 0; n < n_nodes; ++n)
       {
         stress[n] /= n_cells[n];
+        plastic_strain[n] /= n_cells[n];
         for (const auto &[name, component] : components<dim>())
           result[name][n] = stress[n][component.first][component.second];
         mises[n] = von_mises(stress[n]);
         shear[n] = maximum_shear(stress[n]);
       }
+    result["plastic_strain"] = std::move(plastic_strain);
     return result;
   }
 

@@ -3,29 +3,71 @@
 
 #include <signorini/solid/body.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <vector>
+
 namespace Signorini
 {
+  /** What the bodies answer to a displacement. */
+  struct SolidResponse
+  {
+    dealii::Vector<double> internal_force;     // of all unknowns, N
+    std::vector<double>    history;            // of the points of all bodies
+    double                 stored_energy = 0.; // J
+    double                 plastic_work  = 0.; // since the start, J
+  };
+
+  /** Numbers that the points of a body remember between two steps. */
+  template <int dim>
+  unsigned int
+  n_history_values(const Body<dim> &body);
+
   /**
-   * Adds the tangent stiffness and the internal forces of a body at a
-   * displacement,
-   *   K_ab += factor int B_a^T D B_b dV,   f_a += factor int B_a^T stress dV.
+   * Adds the internal forces of a body at a displacement, its energy and, when
+   * given, its tangent stiffness,
+   *   f_a += int B_a^T stress dV,
+   *   K_ab += factor (int B_a^T D B_b dV + geometric part).
    *
    * @param constraints  hanging nodes, in the counting of all unknowns; their
    *                     rows and columns are condensed
    * @param displacement of all unknowns, m
+   * @param step_size    s, for laws that depend on the rate
+   * @param history_n    of the points of this body
+   * @param history      gets those of the end of the step
+   * @throws MaterialFailure with the cell where a law has no answer.
    */
   template <int dim>
   void
-  add_stiffness(const Body<dim>                         &body,
-                const dealii::AffineConstraints<double> &constraints,
-                const dealii::Vector<double>            &displacement,
-                const double                             factor,
-                dealii::SparseMatrix<double>            &stiffness,
-                dealii::Vector<double>                  &internal_force);
+  add_response(const Body<dim>                         &body,
+               const dealii::AffineConstraints<double> &constraints,
+               const dealii::Vector<double>            &displacement,
+               const double                             step_size,
+               const dealii::ArrayView<const double>    history_n,
+               const dealii::ArrayView<double>          history,
+               SolidResponse                           &response,
+               dealii::SparseMatrix<double>            *stiffness = nullptr,
+               const double                             factor    = 1.);
+
+  /** What is at the points of all cells of a body, cell after cell. */
+  struct PointValues
+  {
+    std::vector<dealii::SymmetricTensor<2, 3>> stresses;        // Cauchy, Pa
+    std::vector<double>                        plastic_strains; // equivalent, 1
+  };
+
+  /**
+   * Stresses and plastic strains of a body at rest in this displacement.
+   * @param history of the points of the body, that led to the displacement
+   */
+  template <int dim>
+  PointValues
+  point_values(const Body<dim>                      &body,
+               const dealii::Vector<double>         &displacement,
+               const dealii::ArrayView<const double> history);
 
   /**
    * Adds the mass matrix of a body, M_ab += factor int rho N_a N_b dV; lumped:

@@ -55,6 +55,7 @@ namespace Signorini
      */
     Body(const std::string        &name,
          const Formulation         formulation,
+         const Kinematics          kinematics,
          const std::string        &base_directory,
          const unsigned int        first_dof,
          dealii::ParameterHandler &prm);
@@ -69,6 +70,20 @@ namespace Signorini
     formulation() const
     {
       return formulation_;
+    }
+
+    Kinematics
+    kinematics() const
+    {
+      return kinematics_;
+    }
+
+    /** Is the change of volume the same at all points of a cell? Against
+     * locking of linear elements whose volume cannot change. */
+    bool
+    has_mean_dilatation() const
+    {
+      return has_mean_dilatation_;
     }
 
     const Mesh<dim> &
@@ -180,13 +195,19 @@ namespace Signorini
 
   private:
     void
-    create_region_materials(dealii::ParameterHandler &prm);
+    create_region_materials(const std::string        &base_directory,
+                            dealii::ParameterHandler &prm);
+
+    void
+    choose_dilatation(const dealii::ParameterHandler &prm);
 
     void
     distribute_dofs(const unsigned int degree);
 
     std::string                              name_;
     Formulation                              formulation_;
+    Kinematics                               kinematics_;
+    bool                                     has_mean_dilatation_;
     Mesh<dim>                                mesh_;
     std::unique_ptr<dealii::FE_Q<dim>>       scalar_fe_;
     std::unique_ptr<dealii::FESystem<dim>>   fe_;

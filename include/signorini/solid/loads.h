@@ -40,6 +40,22 @@ namespace Signorini
     void
     add_forces(const double time, dealii::Vector<double> &forces) const;
 
+    /** True if some loads depend on the displacement: with finite strains
+     * pressures stay normal to the surface and grow with it, and the
+     * centrifugal load grows with the distance from the axis. */
+    bool
+    follow() const;
+
+    /**
+     * Adds the loads that follow the body, which add_forces() leaves out:
+     *   F_a = - int N_a p J F^-T n dA + int N_a rho omega^2 (arm of x) dV.
+     * @param displacement of all unknowns, m
+     */
+    void
+    add_following_forces(const double                  time,
+                         const dealii::Vector<double> &displacement,
+                         dealii::Vector<double>       &forces) const;
+
   private:
     using Function = SpaceTimeFunction<dim>;
 
@@ -69,17 +85,35 @@ namespace Signorini
     void
     parse_rotation(const Constants &constants, dealii::ParameterHandler &prm);
 
+    bool
+    is_finite() const
+    {
+      return body_->kinematics() == Kinematics::finite_strain;
+    }
+
+    // Of the loads that keep their place.
     dealii::Tensor<1, dim>
     force_density(const dealii::Point<dim> &point,
                   const double              density,
                   const double              time) const;
 
+    // Per mass; where the point is now and where it was. m/s^2
+    dealii::Tensor<1, dim>
+    centrifugal_acceleration(const dealii::Point<dim> &now,
+                             const dealii::Point<dim> &at_first,
+                             const double              time) const;
+
+    // Both: the loads that keep their place, or, with a displacement, those
+    // that follow the body.
     void
-    add_volume_forces(const double time, dealii::Vector<double> &forces) const;
+    add_volume_forces(const double                  time,
+                      const dealii::Vector<double> *displacement,
+                      dealii::Vector<double>       &forces) const;
 
     void
-    add_boundary_forces(const double            time,
-                        dealii::Vector<double> &forces) const;
+    add_boundary_forces(const double                  time,
+                        const dealii::Vector<double> *displacement,
+                        dealii::Vector<double>       &forces) const;
 
     const Body<dim>          *body_;
     std::vector<Function>     body_forces_;   // N/m^3

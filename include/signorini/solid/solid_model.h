@@ -1,6 +1,7 @@
 #ifndef signorini_solid_solid_model_h
 #define signorini_solid_solid_model_h
 
+#include <signorini/solid/assembler.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/loads.h>
 #include <signorini/solid/lumped_unknown.h>
@@ -12,6 +13,7 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -112,6 +114,15 @@ namespace Signorini
       return sparsity_;
     }
 
+    /** True if K is the same at all displacements and nothing is remembered:
+     * F_int = K U. */
+    bool
+    is_linear() const
+    {
+      return is_linear_;
+    }
+
+    /** At the start, without displacement. */
     const dealii::SparseMatrix<double> &
     stiffness() const
     {
@@ -144,7 +155,7 @@ namespace Signorini
     }
 
     /**
-     * Springs that hold what a static run leaves free to move as a whole, N/m;
+     * Springs that hold what a static step leaves free to move as a whole, N/m;
      * empty if there is nothing. They belong to the effective stiffness only:
      * their force is that of a correction and vanishes as the iteration
      * converges (proximal point method), so that contact holds in the end.
@@ -155,13 +166,44 @@ namespace Signorini
       return proximal_stiffness_;
     }
 
-    /** F_int(U), N. */
-    dealii::Vector<double>
-    internal_force(const dealii::Vector<double> &displacement) const;
+    /** "the node (POINT) of body NAME", or "a rigid body". */
+    std::string
+    unknown_in_words(const unsigned int unknown) const;
 
-    /** F(t), N; at given unknowns the load on the support. */
+    /** What all points remember before anything has happened. */
+    std::vector<double>
+    initial_history() const;
+
+    /**
+     * Internal forces, energies and new history of the points.
+     *
+     * @param step_size from the state of @p history_n to this displacement, s
+     * @param tangent   gets the tangent stiffness unless null; not for linear
+     *                  solids, whose stiffness() it is
+     * @throws MaterialFailure
+     */
+    SolidResponse
+    respond(const dealii::Vector<double> &displacement,
+            const double                  step_size,
+            const std::vector<double>    &history_n,
+            dealii::SparseMatrix<double> *tangent = nullptr) const;
+
+    /** The part of the histories of all bodies that is that of body @p b. */
+    dealii::ArrayView<const double>
+    history_of(const unsigned int b, const std::vector<double> &history) const;
+
+    /** F(t, U), N; at given unknowns the load on the support. The displacement
+     * matters with finite strains only. */
     const dealii::Vector<double> &
-    external_force(const double time) const;
+    external_force(const double                  time,
+                   const dealii::Vector<double> &displacement) const;
+
+    /** True if external_force() depends on the displacement. */
+    bool
+    loads_follow() const
+    {
+      return loads_follow_;
+    }
 
     /** Given motions at this time, and hanging nodes after their masters. */
     void
@@ -190,6 +232,12 @@ namespace Signorini
     void
     hold_free_bodies();
 
+    // Adds the stiffness of each body without displacement times its factor.
+    void
+    add_initial_stiffness(
+      const std::function<double(const Body<dim> &)> &factor,
+      dealii::SparseMatrix<double>                   &matrix) const;
+
     std::vector<Part>                 parts_;
     std::vector<LumpedUnknown>        lumped_;
     dealii::Vector<double>            proximal_stiffness_;
@@ -201,12 +249,16 @@ namespace Signorini
     dealii::SparseMatrix<double>      stiffness_;
     dealii::SparseMatrix<double>      mass_;
     dealii::SparseMatrix<double>      damping_;
+    bool                              is_linear_;
+    std::vector<unsigned int>         first_history_; // of each body, and end
     bool                              loads_vary_;
+    bool                              loads_follow_;
     bool                              supports_are_fixed_;
 
     // The forces last asked for, and their time.
     mutable double                 force_time_;
-    mutable dealii::Vector<double> force_;
+    mutable dealii::Vector<double> force_;           // without what follows
+    mutable dealii::Vector<double> following_force_; // all, if some follow
   };
 } // namespace Signorini
 

@@ -13,9 +13,9 @@
 namespace Signorini
 {
   /**
-   * Nodal stresses of a body for pictures: the stresses at the quadrature
-   * points of each cell are extrapolated to its nodes and averaged over the
-   * cells that share a node.
+   * Nodal stresses and plastic strains of a body for pictures: the values at
+   * the quadrature points of each cell are extrapolated to its nodes and
+   * averaged over the cells that share a node.
    */
   template <int dim>
   class StressRecovery
@@ -33,12 +33,14 @@ namespace Signorini
     /**
      * stress_xx, ... (Cauchy, Pa; the formulation's third direction included),
      * von_mises = sqrt(3/2 s:s), maximum_shear = half the difference of the
-     * extreme principal stresses.
+     * extreme principal stresses, plastic_strain (equivalent).
      *
      * @param displacement of all unknowns, m
+     * @param history      of the points of the body, with this displacement
      */
     std::map<std::string, dealii::Vector<double>>
-    fields(const dealii::Vector<double> &displacement) const;
+    fields(const dealii::Vector<double>         &displacement,
+           const dealii::ArrayView<const double> history) const;
 
     /** Position of each node, in the count of dof_handler(). */
     std::vector<dealii::Point<dim>>
