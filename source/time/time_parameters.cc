@@ -109,6 +109,13 @@ namespace Signorini
                       Patterns::Selection("dynamic|static"),
                       "dynamic: with inertia. static: without inertia; time "
                       "only scales loads and motions (load stepping).");
+    prm.declare_entry("Final relaxation",
+                      "none",
+                      Patterns::Selection("none|static"),
+                      "static: after the End time of a dynamic run, one more "
+                      "step without inertia takes the vibration out of the "
+                      "bodies, and residual stresses are left. Rigid bodies "
+                      "fly on.");
     prm.declare_entry("End time",
                       "1",
                       Patterns::Double(0.),
@@ -117,11 +124,7 @@ namespace Signorini
                       "0.1",
                       Patterns::Double(0.),
                       "Size of a time step (static: load step). Unit: s.");
-    prm.declare_entry("Minimal step size",
-                      "0",
-                      Patterns::Double(0.),
-                      "A step that does not converge is cut in half, down to "
-                      "this size; 0 means 1/1024 of the step size. Unit: s.");
+    StepControl::declare_parameters(prm);
     declare_scheme(prm);
     prm.declare_entry("Contact mass",
                       "redistributed",
@@ -164,17 +167,19 @@ namespace Signorini
   {
     TimeParameters parameters;
     prm.enter_subsection("Time");
-    parameters.dynamic             = prm.get("Analysis") == "dynamic";
+    parameters.dynamic          = prm.get("Analysis") == "dynamic";
+    parameters.final_relaxation = prm.get("Final relaxation") == "static";
+    if (parameters.final_relaxation && !parameters.dynamic)
+      throw InputError("Time / Final relaxation: a static run has no vibration "
+                       "to take out. Set Final relaxation = none.");
     parameters.end_time            = prm.get_double("End time");
     parameters.step_size           = prm.get_double("Step size");
-    parameters.minimal_step_size   = prm.get_double("Minimal step size");
     parameters.scheme              = schemes().at(prm.get("Scheme"))(prm);
     parameters.contact_mass        = prm.get("Contact mass");
     parameters.return_contact_work = prm.get("Contact work") == "returned";
     parameters.lump_mass           = prm.get("Mass matrix") == "lumped";
     parameters.maximal_iterations  = prm.get_integer("Maximal iterations");
     parameters.residual_tolerance  = prm.get_double("Residual tolerance");
-    prm.leave_subsection();
 
     if (parameters.end_time <= 0.)
       throw InputError("Time / End time: must be greater than zero, in s, "
@@ -190,14 +195,9 @@ namespace Signorini
                        " s, which is greater than the End time of " +
                        number(parameters.end_time) +
                        " s. Choose a step that is not longer than the run.");
-    if (parameters.minimal_step_size > parameters.step_size)
-      throw InputError("Time / Minimal step size: found " +
-                       number(parameters.minimal_step_size) +
-                       " s, which is greater than the Step size of " +
-                       number(parameters.step_size) +
-                       " s. Choose a smaller one, or 0 for the default.");
-    if (parameters.minimal_step_size == 0.)
-      parameters.minimal_step_size = parameters.step_size / 1024.;
+    parameters.step_control =
+      StepControl::parse(parameters.end_time, parameters.dynamic, prm);
+    prm.leave_subsection();
     return parameters;
   }
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #define signorini_time_time_parameters_h
 
 #include <signorini/time/generalized_alpha.h>
+#include <signorini/time/step_control.h>
 
 #include <string>
 
@@ -15,10 +16,11 @@ namespace Signorini
   /** The section `Time` of the .prm: what is integrated, and how. */
   struct TimeParameters
   {
-    bool             dynamic = true;
-    double           end_time;          // s
-    double           step_size;         // s
-    double           minimal_step_size; // s
+    bool             dynamic          = true;
+    bool             final_relaxation = false;
+    double           end_time;  // s
+    double           step_size; // s
+    StepControl      step_control;
     GeneralizedAlpha scheme;
     std::string      contact_mass; // consistent | redistributed | affine
     bool             return_contact_work;
