@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/output/history_writer.h>
+#include <signorini/output/pvd_file.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -26,13 +27,31 @@ namespace Signorini
     : file_name(file_name)
     , flush_interval(std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(flush_interval)))
-    , file(file_name, std::ios::binary)
     , last_flush(Clock::now())
   {
+    add_head(history);
+    add_rows(history);
+    if (n_written_rows > 0)
+      {
+        replace_result_file(file_name, held_back);
+        n_safe_bytes = held_back.size();
+        held_back.clear();
+      }
+    file.open(file_name,
+              n_written_rows > 0 ? std::ios::binary | std::ios::app :
+                                   std::ios::binary | std::ios::out);
     if (!file)
       throw InputError("The history file '" + file_name +
                        "' cannot be created: " + std::strerror(errno) +
                        ". Choose another output folder.");
+    flush();
+  }
+
+
+
+  void
+  HistoryWriter::add_head(const History &history)
+  {
     for (const History::Column &column : history.columns())
       {
         held_back += held_back.empty() ? "" : ",";
@@ -41,7 +60,6 @@ namespace Signorini
           held_back += " [" + column.unit + "]";
       }
     held_back += "\n";
-    flush();
   }
 
 
@@ -65,6 +83,16 @@ namespace Signorini
   {
     Assert(history.n_rows() >= n_written_rows,
            dealii::ExcMessage("Rows that are in the file were taken back."));
+    add_rows(history);
+    if (Clock::now() - last_flush >= flush_interval)
+      flush();
+  }
+
+
+
+  void
+  HistoryWriter::add_rows(const History &history)
+  {
     const unsigned int n_columns = history.columns().size();
     for (; n_written_rows < history.n_rows(); ++n_written_rows)
       for (unsigned int column = 0; column < n_columns; ++column)
@@ -72,8 +100,6 @@ namespace Signorini
           held_back += shortest_exact(history.value(n_written_rows, column));
           held_back += column + 1 < n_columns ? ',' : '\n';
         }
-    if (Clock::now() - last_flush >= flush_interval)
-      flush();
   }
 
 

@@ -44,7 +44,13 @@ namespace Signorini
 
 
   Log::Log(const std::string &file_name)
-    : Log(file_name, std::cout, default_settings())
+    : Log(file_name, default_settings())
+  {}
+
+
+
+  Log::Log(const std::string &file_name, const Settings &settings)
+    : Log(file_name, std::cout, settings)
   {}
 
 
@@ -61,7 +67,7 @@ namespace Signorini
   {
     if (file_name.empty())
       return;
-    file.open(file_name);
+    file.open(file_name, settings.append ? std::ios::app : std::ios::out);
     if (!file)
       throw InputError("The log file '" + file_name +
                        "' cannot be created: " + std::strerror(errno) +

@@ -64,6 +64,19 @@ namespace Signorini
 
 
 
+  void
+  replace_result_file(const std::string &file_name, const std::string &content)
+  {
+    const std::string new_file = file_name + ".new";
+    write_result_file(new_file, content);
+    std::error_code error;
+    std::filesystem::rename(new_file, file_name, error);
+    if (error)
+      fail(file_name, error.message());
+  }
+
+
+
   std::vector<std::string>
   file_names_of_parts(const std::vector<std::string> &parts)
   {
@@ -114,7 +127,32 @@ namespace Signorini
         if (std::find(parts.begin(), parts.end(), entry.part) == parts.end())
           parts.push_back(entry.part);
       }
+    write();
+  }
 
+
+
+  void
+  PvdFile::cut_back(const unsigned int n_outputs) const
+  {
+    const auto folder = std::filesystem::path(file_name).parent_path();
+    if (!entries.empty())
+      write();
+    for (const std::string &name : file_names_of_parts(parts))
+      for (unsigned int number = n_outputs;; ++number)
+        {
+          std::error_code error;
+          if (!std::filesystem::remove(folder / vtu_file_name(name, number),
+                                       error))
+            break;
+        }
+  }
+
+
+
+  void
+  PvdFile::write() const
+  {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" "
                        "byte_order=\"LittleEndian\">\n"
@@ -130,12 +168,6 @@ namespace Signorini
     text += "  </Collection>\n"
             "</VTKFile>\n";
 
-    // A reader never sees half a file: the new one takes the old one's place.
-    const std::string new_file = file_name + ".new";
-    write_result_file(new_file, text);
-    std::error_code error;
-    std::filesystem::rename(new_file, file_name, error);
-    if (error)
-      fail(file_name, error.message());
+    replace_result_file(file_name, text);
   }
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/output/checkpoint.h>
 #include <signorini/output/run_folder.h>
 
 #include <algorithm>
@@ -28,8 +29,8 @@ namespace Signorini
     bool
     is_written_by_us(const fs::path &file)
     {
-      static const std::array<std::string, 6> endings = {
-        {".vtu", ".pvd", ".csv", ".log", ".prm", ".txt"}};
+      static const std::array<std::string, 7> endings = {
+        {".vtu", ".pvd", ".csv", ".log", ".prm", ".txt", ".checkpoint"}};
       return std::find(endings.begin(),
                        endings.end(),
                        file.extension().string()) != endings.end();
@@ -73,6 +74,26 @@ namespace Signorini
         fail(folder, error.message());
     }
 
+    std::string
+    name_of_run(const std::string &parameter_file)
+    {
+      const std::string name = fs::path(parameter_file).stem().string();
+      if (name.empty())
+        throw InputError("The name of the parameter file, '" + parameter_file +
+                         "', does not name a run. Use a name like beam.prm.");
+      return name;
+    }
+
+    // NAME, NAME-2, NAME-3, ...
+    fs::path
+    numbered_folder(const std::string &base,
+                    const std::string &name,
+                    const unsigned int number)
+    {
+      return fs::path(base) /
+             (number == 1 ? name : name + "-" + std::to_string(number));
+    }
+
     // Rights alone do not tell: the disk may be full or mounted read-only.
     void
     try_to_write(const fs::path &folder)
@@ -99,12 +120,8 @@ namespace Signorini
                     const std::string &parameter_file,
                     const bool         overwrite)
   {
-    const std::string name = fs::path(parameter_file).stem().string();
-    if (name.empty())
-      throw InputError("The name of the parameter file, '" + parameter_file +
-                       "', does not name a run. Use a name like beam.prm.");
-
-    fs::path folder = fs::path(base) / name;
+    const std::string name   = name_of_run(parameter_file);
+    fs::path          folder = numbered_folder(base, name, 1);
     if (overwrite)
       {
         if (!is_free(folder))
@@ -112,9 +129,38 @@ namespace Signorini
       }
     else
       for (unsigned int number = 2; !is_free(folder); ++number)
-        folder = fs::path(base) / (name + "-" + std::to_string(number));
+        folder = numbered_folder(base, name, number);
 
     try_to_write(folder);
     return folder.string();
+  }
+
+
+
+  std::string
+  find_run_folder(const std::string &base, const std::string &parameter_file)
+  {
+    const std::string  name = name_of_run(parameter_file);
+    std::string        newest;
+    fs::file_time_type newest_time;
+    for (unsigned int number = 1;; ++number)
+      {
+        const fs::path folder = numbered_folder(base, name, number);
+        if (!fs::is_directory(folder))
+          break;
+        const auto time = checkpoint_time(folder.string());
+        if (time && (newest.empty() || *time > newest_time))
+          {
+            newest      = folder.string();
+            newest_time = *time;
+          }
+      }
+    if (newest.empty())
+      throw InputError(
+        "--resume: there is no checkpoint of " + name + " below '" + base +
+        "'. Start the run anew without --resume, or name its folder with "
+        "--resume-from DIR. Output / Minutes between checkpoints tells how often "
+        "one is written.");
+    return newest;
   }
 } // namespace Signorini

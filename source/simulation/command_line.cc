@@ -1,5 +1,6 @@
 #include <signorini/nearest_name.h>
 #include <signorini/simulation/command_line.h>
+#include <signorini/simulation/shell_word.h>
 
 #include <boost/program_options.hpp>
 
@@ -27,6 +28,12 @@ namespace Signorini
                             "the .prm; every run gets its own folder inside");
       options.add_options()("overwrite",
                             "replace the results of an earlier run");
+      options.add_options()("resume",
+                            "go on from the last checkpoint of the newest "
+                            "earlier run");
+      options.add_options()("resume-from",
+                            po::value<std::string>()->value_name("DIR"),
+                            "the same for the run whose results are in DIR");
       options.add_options()("set",
                             po::value<Texts>()->value_name("ENTRY"),
                             "set an entry on top of the file, as in "
@@ -107,6 +114,38 @@ namespace Signorini
 
 
 
+    /** What a second call needs to do the same. */
+    std::string
+    repeated_options(const po::variables_map &values)
+    {
+      std::string text;
+      for (const std::string &assignment : texts(values, "set"))
+        text += " --set " + quoted(assignment);
+      if (values.count("threads") > 0)
+        text += " --threads " + values["threads"].as<std::string>();
+      return text;
+    }
+
+
+
+    void
+    refuse_contradictions(const CommandLine &line)
+    {
+      const RunOptions &options = line.run_options;
+      if (!options.resume)
+        return;
+      if (options.overwrite)
+        throw CommandLineError("--resume goes on with a run, --overwrite "
+                               "starts it anew: give one of them.");
+      if (options.check_only)
+        throw CommandLineError("--resume computes, --check does not: give one "
+                               "of them.");
+      if (!options.resume->empty() && line.prm_files.size() > 1)
+        throw CommandLineError("--resume-from is for a single .prm file.");
+    }
+
+
+
     // A first word instead of a .prm file.
     const std::string solve_interface = "solve-interface";
 
@@ -132,9 +171,15 @@ namespace Signorini
       result.run_options.overwrite  = values.count("overwrite") > 0;
       result.run_options.overrides  = texts(values, "set");
       result.run_options.max_steps  = count(values, "steps");
+      result.run_options.repeated_options = repeated_options(values);
+      if (values.count("resume") > 0)
+        result.run_options.resume = "";
+      if (values.count("resume-from") > 0)
+        result.run_options.resume = values["resume-from"].as<std::string>();
       if (values.count("output-directory") > 0)
         result.run_options.output_directory =
           values["output-directory"].as<std::string>();
+      refuse_contradictions(result);
       return result;
     }
   } // namespace
@@ -147,7 +192,8 @@ namespace Signorini
     CommandLine result;
     try
       {
-        result = command_line(parsed_options(argc, argv));
+        result                     = command_line(parsed_options(argc, argv));
+        result.run_options.program = argv[0];
       }
     catch (const po::unknown_option &error)
       {

@@ -34,13 +34,14 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::factorise(const Factors &factors)
+  EffectiveSystem<dim>::factorise(const Factors              &factors,
+                                  const SparseMatrix<double> *tangent)
   {
-    if (is_factorised_ && factors == factors_)
+    if (is_factorised_ && !tangent && factors == factors_)
       return;
     const auto timing = timings_.measure(section_factorisation_);
     is_factorised_    = false;
-    matrix_.copy_from(solid_.stiffness());
+    matrix_.copy_from(tangent ? *tangent : solid_.stiffness());
     matrix_ *= factors.stiffness;
     if (factors.mass != 0.)
       matrix_.add(factors.mass, solid_.mass());
@@ -48,8 +49,9 @@ namespace Signorini
       matrix_.add(factors.damping, solid_.damping());
     for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
       matrix_.diag_element(i) *= factors.lumped;
-    for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
-      matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
+    if (factors.mass == 0.)
+      for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
+        matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
     solver_->factorise(matrix_);
     problem_.set_stiffness(solver_->interface_stiffness());
     stiffness_     = solver_->interface_stiffness();

@@ -59,9 +59,8 @@ namespace Signorini
 
   template <int dim>
   void
-  measure_energy(const SolidModel<dim> &solid, State &state)
+  measure_kinetic_energy(const SolidModel<dim> &solid, State &state)
   {
-    state.energy.stored = 0.5 * (state.displacement * state.internal_force);
     if (is_dynamic(solid))
       state.energy.kinetic =
         0.5 * solid.mass().matrix_norm_square(state.velocity);
@@ -185,9 +184,9 @@ namespace Signorini
 
 
   template void
-  measure_energy(const SolidModel<2> &, State &);
+  measure_kinetic_energy(const SolidModel<2> &, State &);
   template void
-  measure_energy(const SolidModel<3> &, State &);
+  measure_kinetic_energy(const SolidModel<3> &, State &);
   template void
   measure_support_forces(const SolidModel<2> &,
                          const ContactModel<2> &,

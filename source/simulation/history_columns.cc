@@ -142,6 +142,7 @@ namespace Signorini
         add_rigid_body_columns(*body, history);
     for (const char *const name : {"energy.kinetic",
                                    "energy.stored",
+                                   "energy.plastic",
                                    "energy.damping",
                                    "energy.friction",
                                    "energy.scheme_loss",
@@ -192,6 +193,7 @@ namespace Signorini
     const EnergyLedger &energy = state.energy;
     for (const double value : {energy.kinetic,
                                energy.stored,
+                               energy.plastic,
                                energy.damping,
                                energy.friction,
                                energy.scheme_loss(),

@@ -37,8 +37,8 @@ namespace Signorini
     const double factor = 1. / (tau * tau);
     system.factorise({1., factor, 0.});
 
-    Vector<double> force = solid.internal_force(state.displacement);
-    force.sadd(-1., 1., state.external_force);
+    Vector<double> force(state.external_force);
+    force -= state.internal_force;
     Vector<double> product(force.size());
     solid.mass().vmult(product, state.acceleration); // of given motions
     force -= product;

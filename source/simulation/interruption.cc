@@ -15,14 +15,15 @@ namespace Signorini
 
   // In a signal handler only functions such as write() and signal() are safe.
   extern "C" void
-  signorini_handle_signal(const int signal_number)
+  signorini_handle_signal(const int /*signal_number*/)
   {
     interrupted              = 1;
     static const char text[] = "\nStopping after this step. Press Ctrl-C again "
                                "to stop at once.\n";
     const auto        ignored = write(STDERR_FILENO, text, sizeof(text) - 1);
     static_cast<void>(ignored);
-    std::signal(signal_number, SIG_DFL);
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
   }
 
 
@@ -33,15 +34,14 @@ namespace Signorini
     interrupted = 0;
     std::signal(SIGINT, signorini_handle_signal);
     std::signal(SIGTERM, signorini_handle_signal);
+    std::signal(SIGXFSZ, SIG_IGN);
   }
 
 
 
-  void
-  stop_if_interrupted()
+  bool
+  is_interrupted()
   {
-    if (interrupted != 0)
-      throw Interrupted("Stopped as asked. The steps accepted so far are "
-                        "written.");
+    return interrupted != 0;
   }
 } // namespace Signorini

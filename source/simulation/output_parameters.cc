@@ -28,6 +28,17 @@ namespace Signorini
                       Patterns::Double(0.),
                       "Write fields each time so much time has passed; 0: not "
                       "by time. Unit: s.");
+    prm.declare_entry("Steps between checkpoints",
+                      "0",
+                      Patterns::Integer(0),
+                      "Save the run after so many steps each, so that "
+                      "`--resume' can go on from there; 0: not by steps.");
+    prm.declare_entry("Minutes between checkpoints",
+                      "10",
+                      Patterns::Double(0.),
+                      "Save the run each time so many minutes of computing "
+                      "have passed; 0: not by the clock. A run that is stopped "
+                      "by Ctrl-C or `--steps' is saved always.");
     prm.declare_entry("Interface problems at",
                       "",
                       Patterns::Anything(),
@@ -66,6 +77,10 @@ namespace Signorini
     parameters.directory            = prm.get("Directory");
     parameters.steps_between_fields = prm.get_integer("Steps between fields");
     parameters.time_between_fields  = prm.get_double("Time between fields");
+    parameters.steps_between_checkpoints =
+      prm.get_integer("Steps between checkpoints");
+    parameters.minutes_between_checkpoints =
+      prm.get_double("Minutes between checkpoints");
     for (const auto &time : split_list(prm.get("Interface problems at"), ','))
       parameters.interface_times.push_back(
         parse_number(time, "Output / Interface problems at"));

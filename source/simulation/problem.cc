@@ -27,6 +27,13 @@ namespace Signorini
                         "plane strain, plane stress, axisymmetric (x is the "
                         "radius, y the axis; forces are those of the full "
                         "circle) or three dimensional.");
+      prm.declare_entry(
+        "Kinematics",
+        "small strain",
+        Patterns::Selection("small strain|finite strain"),
+        "small strain: the bodies' strains and rotations are "
+        "small, though they may slide and contact may be "
+        "anywhere; finite strain: large strains and rotations.");
       prm.declare_entry("Bodies",
                         "",
                         Patterns::Anything(),
@@ -168,6 +175,10 @@ namespace Signorini
     problem.title = prm.get("Title");
     problem.time  = TimeParameters::parse(prm);
 
+    const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
+                                    Kinematics::finite_strain :
+                                    Kinematics::small_strain;
+
     // 1. Bodies, with all that belongs to each
     std::vector<typename SolidModel<dim>::Part> parts;
     unsigned int                                n_dofs = 0;
@@ -175,7 +186,7 @@ namespace Signorini
       {
         prm.enter_subsection("Body " + name);
         auto body = std::make_unique<Body<dim>>(
-          name, outline.formulation, directory, n_dofs, prm);
+          name, outline.formulation, kinematics, directory, n_dofs, prm);
         n_dofs += body->n_dofs();
         Loads<dim>    loads(*body, constants, prm);
         Supports<dim> supports(*body, constants, prm);

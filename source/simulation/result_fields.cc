@@ -31,7 +31,8 @@ namespace Signorini
                                                      "stress_zz",
                                                      "stress_xy",
                                                      "von_mises",
-                                                     "maximum_shear"};
+                                                     "maximum_shear",
+                                                     "plastic_strain"};
       static const std::vector<std::string> solid = {"stress_xx",
                                                      "stress_yy",
                                                      "stress_zz",
@@ -39,7 +40,8 @@ namespace Signorini
                                                      "stress_yz",
                                                      "stress_xz",
                                                      "von_mises",
-                                                     "maximum_shear"};
+                                                     "maximum_shear",
+                                                     "plastic_strain"};
       return dim == 2 ? plane : solid;
     }
 
@@ -138,7 +140,10 @@ namespace Signorini
             return result;
           }
         const auto values =
-          stresses_[b]->fields(state_->displacement).at(quantity);
+          stresses_[b]
+            ->fields(state_->displacement,
+                     problem_.solid->history_of(b, state_->history))
+            .at(quantity);
         for (const auto &point : stresses_[b]->points())
           result.points.push_back(in_space(point));
         result.values.assign(values.begin(), values.end());
@@ -226,7 +231,9 @@ namespace Signorini
     std::vector<Vector<double>>                        velocities;
     for (unsigned int b = 0; b < parts.size(); ++b)
       {
-        stresses.push_back(stresses_[b]->fields(state_->displacement));
+        stresses.push_back(
+          stresses_[b]->fields(state_->displacement,
+                               problem_.solid->history_of(b, state_->history)));
         displacements.push_back(parts[b].body->extract(state_->displacement));
         velocities.push_back(parts[b].body->extract(state_->velocity));
       }

@@ -1,12 +1,15 @@
 #include <signorini/input_error.h>
+#include <signorini/output/history_writer.h>
 #include <signorini/output/log.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/timings.h>
+#include <signorini/simulation/input_record.h>
 #include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/parameter_file.h>
 #include <signorini/simulation/platform.h>
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/run.h>
+#include <signorini/simulation/shell_word.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
@@ -106,6 +109,41 @@ namespace Signorini
                                "\": is the disk full?");
     }
 
+    // Fills in folder and checkpoint, and returns what is wrong with newer
+    // ones.
+    std::vector<std::string>
+    find_checkpoint(const std::string &base,
+                    const std::string &parameter_file,
+                    const std::string &folder,
+                    const double       end_time,
+                    RunTask           &task)
+    {
+      task.folder =
+        folder.empty() ? find_run_folder(base, parameter_file) : folder;
+      FoundCheckpoint found = read_checkpoint(task.folder);
+      refuse_changed_input(found.checkpoint.input, task.input);
+      if (found.checkpoint.geometry != task.geometry)
+        throw InputError("--resume: the meshes or profiles are not those of "
+                         "the checkpoint: a file with a mesh or with points "
+                         "was changed. Start the run anew without --resume.");
+      if (!StepPlan::is_met(end_time, found.checkpoint.time))
+        throw InputError("--resume: the End time lies before the checkpoint, "
+                         "which is of t = " +
+                         shortest_exact(found.checkpoint.time) + " s.");
+      task.checkpoint = std::move(found.checkpoint);
+      return found.warnings;
+    }
+
+    // As one types it, with the folder, so that it is the right run.
+    std::string
+    resume_command(const RunOptions  &options,
+                   const std::string &parameter_file,
+                   const std::string &folder)
+    {
+      return quoted(options.program) + " " + quoted(parameter_file) +
+             options.repeated_options + " --resume-from " + quoted(folder);
+    }
+
     template <int dim>
     void
     run_problem(const ParameterFile  &file,
@@ -136,16 +174,39 @@ namespace Signorini
       const std::string base = options.output_directory.empty() ?
                                  problem.output.directory :
                                  options.output_directory;
-      const std::string folder =
-        create_run_folder(base, file.path(), options.overwrite);
-      Log log(folder + "/run.log");
+      RunTask           task;
+      task.max_steps = options.max_steps;
+      task.input     = input_entries(prm);
+      task.geometry  = geometry_checksum(problem);
+      std::vector<std::string> warnings;
+      if (options.resume)
+        warnings = find_checkpoint(
+          base, file.path(), *options.resume, problem.time.end_time, task);
+      else
+        task.folder = create_run_folder(base, file.path(), options.overwrite);
+      const std::string &folder = task.folder;
+      task.resume_command       = resume_command(options, file.path(), folder);
+
+      Log::Settings log_settings = Log::default_settings();
+      log_settings.append        = options.resume.has_value();
+      Log log(folder + "/run.log", log_settings);
+      for (const std::string &warning : warnings)
+        log.line(warning + " An older one is taken.");
       log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
       log.line(description(problem));
       log.line("results in " + folder);
       write_parameters(prm, folder + "/parameters.prm");
       try
         {
-          simulation->run(folder, options.max_steps, log);
+          simulation->run(task, log);
+        }
+      catch (const ComputationError &error)
+        {
+          log.detail(error.what());
+          if (checkpoint_time(folder))
+            log.line("to go on from the last checkpoint: " +
+                     task.resume_command);
+          throw;
         }
       catch (const std::exception &error)
         {

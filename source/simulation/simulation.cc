@@ -1,12 +1,12 @@
 #include <signorini/input_error.h>
-#include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/output/progress.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/simulation.h>
-#include <signorini/variational_inequality/interface_problem_io.h>
 
-#include <fstream>
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
 #include <iomanip>
 #include <sstream>
 
@@ -22,15 +22,6 @@ namespace Signorini
       return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                            start)
         .count();
-    }
-
-    template <int dim>
-    typename TimeStep<dim>::Settings
-    settings(const Problem<dim> &problem)
-    {
-      return {problem.time,
-              problem.contact_parameters.algorithm,
-              problem.contact_parameters.force_tolerance};
     }
 
     // Errors in the checks name their entry.
@@ -49,19 +40,19 @@ namespace Signorini
         }
     }
 
-    // Times of the grid and of cut steps are sums; this much is rounding.
-    constexpr double rounding = 1e-9;
+    std::string
+    step_sizes_in_words(const StepCounts &counts)
+    {
+      std::ostringstream text;
+      text << std::setprecision(4) << "steps of " << counts.smallest << " to "
+           << counts.largest << " s, " << counts.n_rejections
+           << " repeated for their error";
+      if (counts.n_tolerated > 0)
+        text << ", " << counts.n_tolerated
+             << " accepted although shorter steps did not make it smaller";
+      return text.str();
+    }
   } // namespace
-
-
-
-  template <int dim>
-  Simulation<dim>::Files::Files(const std::string &folder,
-                                const History     &history_columns)
-    : history(folder + "/history.csv", history_columns)
-    , fields(folder)
-    , surfaces(folder)
-  {}
 
 
 
@@ -69,240 +60,244 @@ namespace Signorini
   Simulation<dim>::Simulation(const Problem<dim> &problem, Timings &timings)
     : problem_(problem)
     , timings_(timings)
-    , time_step_(*problem.solid, *problem.contact, settings(problem), timings)
+    , driver_(problem, timings)
+    , plan_(problem.time.step_control,
+            problem.time.end_time,
+            problem.output.interface_times,
+            problem.output.time_between_fields)
     , fields_(problem)
     , expected_(
         in_checks([&] { return ExpectedResults(problem.output.checks); }))
-    , step_size_(problem.time.step_size)
+    , checkpoint_clock_(problem.output.steps_between_checkpoints,
+                        problem.output.minutes_between_checkpoints)
+    , start_time_(0.)
     , start_(std::chrono::steady_clock::now())
   {
-    add_history_columns(problem, history_);
-    in_checks([&] { expected_.check_names(history_, fields_); });
+    record_.step_memory = StepMemory(problem.time.step_size);
+    add_history_columns(problem, record_.history);
+    in_checks([&] { expected_.check_names(record_.history, fields_); });
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::run(const std::string                &folder,
-                       const std::optional<unsigned int> max_steps,
-                       Log                              &log)
+  Simulation<dim>::run(const RunTask &task, Log &log)
   {
     start_ = std::chrono::steady_clock::now();
-    Files files(folder, history_);
-    State state;
+    Files files(task.folder);
+    if (task.checkpoint)
+      resume(task, files, log);
+    else
+      begin(task, files);
+
+    const unsigned int first   = record_.n_regular;
+    const auto         goes_on = [&] {
+      return !plan_.is_end(record_.state.time) &&
+             !(task.max_steps && record_.n_regular - first >= *task.max_steps);
+    };
+    bool is_saved = task.checkpoint.has_value();
+    while (goes_on())
+      {
+        make_step(task, files, log);
+        is_saved = checkpoint_clock_.is_due() && save(task, files, log);
+        if (is_interrupted() && goes_on())
+          {
+            const bool can_go_on = is_saved || save(task, files, log);
+            finish(task, files);
+            log.line(
+              "interrupted at t = " + shortest_exact(record_.state.time) +
+              " s; the results so far are complete");
+            throw Interrupted(
+              "Stopped as asked. The steps accepted so far are written." +
+              (can_go_on ? " To go on: " + task.resume_command :
+                           std::string()));
+          }
+      }
+    const bool is_complete = plan_.is_end(record_.state.time);
+    if (is_complete && problem_.time.final_relaxation)
+      {
+        driver_.relax(record_, log);
+        record(false, files);
+      }
+    if (!is_saved && (!is_complete || !checkpoint_clock_.is_off()))
+      is_saved = save(task, files, log);
+    finish(task, files);
+    summarise(log);
+    if (is_complete)
+      check(log);
+    else if (is_saved)
+      log.line("to go on: " + task.resume_command);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::begin(const RunTask &task, Files &files)
+  {
+    files.history =
+      std::make_unique<HistoryWriter>(task.folder + "/history.csv",
+                                      record_.history);
+    record_.state           = driver_.initial_state();
+    record_.largest_kinetic = record_.state.energy.kinetic;
+    record(true, files);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::resume(const RunTask &task, Files &files, Log &log)
+  {
+    std::istringstream              stream(task.checkpoint->run);
+    boost::archive::binary_iarchive archive(stream);
     try
       {
-        state = time_step_.initial_state(problem_.initial_displacement,
-                                         problem_.initial_velocity);
+        archive >> record_ >> files.fields >> files.surfaces;
       }
-    catch (const NotPositiveDefinite &error)
+    catch (const boost::archive::archive_exception &error)
       {
-        throw_not_positive_definite(error.unknown);
+        throw InputError(std::string("--resume: the checkpoint does not fit "
+                                     "this program: ") +
+                         error.what() +
+                         ". Start the run anew without --resume.");
       }
-    record(state, true, files);
-
-    const unsigned int n_steps = n_grid_steps();
-    for (unsigned int grid_step = 1; grid_step <= n_steps; ++grid_step)
-      {
-        const double target   = grid_step == n_steps ?
-                                  problem_.time.end_time :
-                                  grid_step * problem_.time.step_size;
-        const double old_time = state.time;
-        while (state.time < target * (1. - rounding))
-          {
-            state = advance_towards(state, target, folder, log);
-            n_iterations_ += state.n_iterations;
-            if (state.time < target * (1. - rounding))
-              record(state, false, files);
-          }
-        if (problem_.output.interface_is_due(old_time, state.time))
-          write_interface(folder + "/interface_" + std::to_string(state.step) +
-                            ".txt",
-                          log);
-        const bool is_last =
-          grid_step == n_steps || (max_steps && grid_step >= *max_steps);
-        record(state,
-               is_last || problem_.output.fields_are_due(grid_step,
-                                                         old_time,
-                                                         state.time),
-               files);
-        show_progress(state, log);
-        if (is_last)
-          break;
-        try
-          {
-            stop_if_interrupted();
-          }
-        catch (const Interrupted &)
-          {
-            record_interruption(state, files, log);
-            throw;
-          }
-      }
-    files.history.flush();
-    fields_.write_contact_tables(folder);
-    summarise(state, log);
-    if (!max_steps || *max_steps >= n_steps)
-      check(log);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Simulation<dim>::n_grid_steps() const
-  {
-    // A last step that would be tiny is added to the one before.
-    const double n = problem_.time.end_time / problem_.time.step_size;
-    return std::max(1., std::ceil(n - 1e-3));
-  }
-
-
-
-  template <int dim>
-  State
-  Simulation<dim>::advance_towards(const State       &state,
-                                   const double       target,
-                                   const std::string &folder,
-                                   Log               &log)
-  {
-    // After a cut the steps grow again; the grid is met in any case. A step
-    // that nearly reaches the grid takes the regular size exactly, so that the
-    // factor of the last step can be used again.
-    const double regular = problem_.time.step_size;
-    double       size    = std::min(2. * step_size_, target - state.time);
-    if (std::abs(size - regular) <= rounding * regular)
-      size = regular;
-    while (true)
-      try
-        {
-          State next = time_step_.advance(state, size);
-          step_size_ = size;
-          if (!time_step_.fallbacks().empty())
-            {
-              ++n_fallbacks_;
-              log.detail("step " + std::to_string(next.step) +
-                         ": the active set came back and a globally "
-                         "convergent method solved the contact of " +
-                         time_step_.fallbacks());
-            }
-          return next;
-        }
-      catch (const StepFailed &failure)
-        {
-          ++n_cuts_;
-          std::ostringstream message;
-          message << "step at t = " << state.time << " s of " << size
-                  << " s: " << failure.what();
-          size *= 0.5;
-          if (size < problem_.time.minimal_step_size)
-            {
-              write_interface(folder + "/interface_failed.txt", log);
-              throw ComputationError(
-                message.str() +
-                ". The step was cut down to the Minimal step size. Look at the "
-                "last results to see what happens there. Often more Maximal "
-                "iterations, smaller steps, or a finer mesh where contact "
-                "happens help.");
-            }
-          log.line(message.str() + "; cut in half");
-        }
-      catch (const NotPositiveDefinite &error)
-        {
-          throw_not_positive_definite(error.unknown);
-        }
+    record_.n_regular =
+      plan_.n_regular_at(record_.state.time, record_.n_regular);
+    start_time_ = record_.state.time;
+    files.history =
+      std::make_unique<HistoryWriter>(task.folder + "/history.csv",
+                                      record_.history);
+    files.fields.cut_back();
+    files.surfaces.cut_back();
+    log.line("resumed at t = " + shortest_exact(start_time_) + " s, step " +
+             std::to_string(record_.state.step));
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::throw_not_positive_definite(const unsigned int unknown) const
+  Simulation<dim>::make_step(const RunTask &task, Files &files, Log &log)
   {
-    for (const auto &part : problem_.solid->parts())
-      for (const auto &node : part.body->nodes())
-        for (const unsigned int dof : node.dofs)
-          if (dof == unknown)
-            {
-              std::ostringstream message;
-              message << "The stiffness matrix is not positive definite at "
-                         "the node ("
-                      << node.point << ") of body " << part.body->name()
-                      << ": the body is not held, or a cell is turned inside "
-                         "out. Check its Supports and its mesh.";
-              throw ComputationError(message.str());
-            }
-    throw ComputationError("The stiffness matrix is not positive definite.");
+    const double target = plan_.target(record_.state.time, record_.n_regular);
+    try
+      {
+        driver_.advance(target, task.folder, record_, log);
+      }
+    catch (const ComputationError &)
+      {
+        // The last good state: other limits of the steps may help.
+        if (record_.state.step > 0)
+          save(task, files, log);
+        throw;
+      }
+    const State &state = record_.state;
+    if (!plan_.completes_regular_step(state.time, record_.n_regular))
+      {
+        record(false, files);
+        return;
+      }
+    ++record_.n_regular;
+    const double old_time = record_.regular_time;
+    record_.regular_time  = state.time;
+    if (problem_.output.interface_is_due(old_time, state.time))
+      driver_.write_interface(task.folder + "/interface_" +
+                                std::to_string(state.step) + ".txt",
+                              log);
+    record(problem_.output.fields_are_due(record_.n_regular,
+                                          old_time,
+                                          state.time),
+           files);
+    show_progress(log);
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::record(const State &state,
-                          const bool   with_fields,
-                          Files       &files)
+  Simulation<dim>::record(const bool with_fields, Files &files)
   {
     const auto timing = timings_.measure("output");
-    append_history_row(problem_, state, history_);
-    files.history.write_new_rows(history_);
+    append_history_row(problem_, record_.state, record_.history);
+    files.history->write_new_rows(record_.history);
     if (with_fields)
-      write_fields(state, files);
+      write_fields(files);
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::write_fields(const State &state, Files &files)
+  Simulation<dim>::write_fields(Files &files)
   {
     // Kept, because the checks at the end look at the last fields.
-    shown_state_ = state;
+    shown_state_ = record_.state;
     fields_.show(shown_state_);
     fields_.write(files.fields, files.surfaces);
+    record_.step_of_fields = record_.state.step;
   }
 
 
 
   template <int dim>
-  void
-  Simulation<dim>::write_interface(const std::string &path, Log &log) const
+  bool
+  Simulation<dim>::save(const RunTask &task, const Files &files, Log &log)
   {
-    if (time_step_.interface_problem().size() == 0)
-      return;
-    std::ofstream file(path);
-    write_interface_problem(time_step_.interface_problem(), file);
-    log.line("interface problem in " + path);
+    const auto timing = timings_.measure("checkpoints");
+    files.history->flush();
+    std::ostringstream              stream;
+    boost::archive::binary_oarchive archive(stream);
+    archive << record_ << files.fields << files.surfaces;
+    try
+      {
+        write_checkpoint(task.folder,
+                         {record_.state.time,
+                          record_.state.step,
+                          task.input,
+                          task.geometry,
+                          stream.str()});
+        return true;
+      }
+    catch (const ComputationError &error)
+      {
+        log.line(error.what());
+        return false;
+      }
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::record_interruption(const State &state,
-                                       Files       &files,
-                                       Log         &log)
+  Simulation<dim>::finish(const RunTask &task, Files &files)
   {
-    write_fields(state, files);
-    files.history.flush();
-    log.line("interrupted at t = " + std::to_string(state.time) +
-             " s; the results so far are complete");
+    const auto timing = timings_.measure("output");
+    if (record_.step_of_fields != record_.state.step)
+      write_fields(files);
+    shown_state_ = record_.state;
+    fields_.show(shown_state_);
+    files.history->flush();
+    fields_.write_contact_tables(task.folder);
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::show_progress(const State &state, Log &log) const
+  Simulation<dim>::show_progress(Log &log) const
   {
     if (!log.progress_is_due())
       return;
-    Progress progress;
-    progress.step         = state.step;
-    progress.n_steps      = n_cuts_ == 0 ? n_grid_steps() : 0;
+    const State &state = record_.state;
+    Progress     progress;
+    progress.step = state.step;
+    progress.n_steps =
+      state.step == record_.n_regular ? plan_.n_regular_steps() : 0;
     progress.time         = state.time;
-    progress.end_time     = problem_.time.end_time;
+    progress.start_time   = start_time_;
+    progress.end_time     = plan_.end_time();
     progress.n_iterations = state.n_iterations;
     progress.n_contacts   = n_active_contacts(state);
     progress.elapsed      = seconds_since(start_);
@@ -313,18 +308,23 @@ namespace Signorini
 
   template <int dim>
   void
-  Simulation<dim>::summarise(const State &state, Log &log) const
+  Simulation<dim>::summarise(Log &log) const
   {
+    const State       &state  = record_.state;
+    const StepCounts  &counts = record_.counts;
     std::ostringstream text;
     text << std::setprecision(4) << "finished at t = " << state.time
-         << " s: " << state.step << " steps, " << n_iterations_
-         << " iterations (" << double(n_iterations_) / std::max(1u, state.step)
-         << " a step), " << n_cuts_ << " cuts, " << n_fallbacks_
+         << " s: " << state.step << " steps, " << counts.n_iterations
+         << " iterations ("
+         << double(counts.n_iterations) / std::max(1u, state.step)
+         << " a step), " << counts.n_cuts << " cuts, " << counts.n_fallbacks
          << " with cycles, " << format_duration(seconds_since(start_));
     log.line(text.str());
+    if (problem_.time.step_control.automatic && state.step > 0)
+      log.line(step_sizes_in_words(counts));
 
     const auto largest = [&](const std::string &column) {
-      const auto values = history_.values(column);
+      const auto values = record_.history.values(column);
       return *std::max_element(values.begin(), values.end());
     };
     std::ostringstream residuals;
@@ -339,9 +339,9 @@ namespace Signorini
            << " + loads " << energy.loads << " + supports " << energy.supports
            << " + contact " << energy.contact << " + returned "
            << energy.returned << " = kinetic " << energy.kinetic << " + stored "
-           << energy.stored << " + damping " << energy.damping << " + friction "
-           << energy.friction << " + lost by the scheme "
-           << energy.scheme_loss();
+           << energy.stored << " + plastic " << energy.plastic << " + damping "
+           << energy.damping << " + friction " << energy.friction
+           << " + lost by the scheme " << energy.scheme_loss();
     log.line(ledger.str());
     for (const auto &pair : problem_.contact->pairs())
       {
@@ -365,7 +365,7 @@ namespace Signorini
   {
     if (expected_.n_checks() == 0)
       return;
-    const auto results = expected_.evaluate(history_, fields_);
+    const auto results = expected_.evaluate(record_.history, fields_);
     log.line(report(results));
     if (!all_passed(results))
       throw ExpectedResultsMissed(

@@ -23,12 +23,36 @@ namespace Signorini
                1.;
     }
 
+    // Of a static step, relative to the bodies: beyond it forces are rounding.
+    constexpr double largest_motion = 1e3;
+
     std::unique_ptr<InterfaceAlgorithm>
     create_algorithm(AlgorithmParameters parameters, const double factor)
     {
       parameters.penalty_stiffness *= factor;
       parameters.tangential_penalty_stiffness *= factor;
       return make_interface_algorithm(parameters);
+    }
+
+    // Largest extent of all bodies together along a coordinate, m.
+    template <int dim>
+    double
+    extent(const SolidModel<dim> &solid)
+    {
+      double largest = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          double lowest  = std::numeric_limits<double>::max();
+          double highest = std::numeric_limits<double>::lowest();
+          for (const auto &part : solid.parts())
+            for (const auto &node : part.body->nodes())
+              {
+                lowest  = std::min(lowest, node.point[c]);
+                highest = std::max(highest, node.point[c]);
+              }
+          largest = std::max(largest, highest - lowest);
+        }
+      return largest;
     }
 
     double
@@ -102,7 +126,10 @@ namespace Signorini
               timings)
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
     , largest_stiffness_(largest_diagonal(solid.stiffness()))
+    , extent_(extent(solid))
     , section_residual_(timings.add("residual and energy"))
+    , section_assembly_(solid.is_linear() ? section_residual_ :
+                                            timings.add("assembly"))
     , section_contact_(timings.add("gaps"))
   {}
 
@@ -125,9 +152,12 @@ namespace Signorini
     solid_.apply_supports(0., state.displacement);
     // A static run starts unloaded: its first step brings the loads from zero.
     state.external_force.reinit(solid_.n_dofs());
+    state.history      = solid_.initial_history();
+    const State before = state;
+    respond(before, 0., state);
     if (settings_.time.dynamic)
       {
-        state.external_force = solid_.external_force(0.);
+        state.external_force = solid_.external_force(0., state.displacement);
         solid_.apply_support_rates(0.,
                                    settings_.time.step_size,
                                    state.velocity,
@@ -139,31 +169,17 @@ namespace Signorini
                                      system_,
                                      state);
       }
-    state.internal_force = solid_.internal_force(state.displacement);
-    const auto points    = evaluate_contact(state, state);
+    respond(before, 0., state);
+    if (!settings_.time.dynamic)
+      state.external_force = 0.;
+    const auto points = evaluate_contact(state, state);
     for (const auto &point : points)
       state.gaps.push_back(point.gap);
     find_initial_slip(points, state);
     measure_support_forces(solid_, contact_, points, state);
-    measure_energy(solid_, state);
+    measure_kinetic_energy(solid_, state);
     state.energy.initial = state.energy.kinetic + state.energy.stored;
     return state;
-  }
-
-
-
-  template <int dim>
-  typename EffectiveSystem<dim>::Factors
-  TimeStep<dim>::effective_factors(const double step_size) const
-  {
-    if (!settings_.time.dynamic)
-      return {1., 0., 0.};
-    return {1. - scheme_.alpha_H,
-            (1. - scheme_.alpha_B) * scheme_.acceleration_factor(step_size),
-            solid_.is_damped() ?
-              (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
-              0.,
-            multiplier_factor_};
   }
 
 
@@ -172,18 +188,17 @@ namespace Signorini
   State
   TimeStep<dim>::advance(const State &old_state, const double step_size)
   {
-    system_.factorise(effective_factors(step_size));
     fallbacks_.clear();
     State state = old_state;
     ++state.step;
     state.time += step_size;
-    state.n_iterations   = 0;
-    state.external_force = solid_.external_force(state.time);
+    state.n_iterations = 0;
+    state.external_force =
+      solid_.external_force(state.time, state.displacement);
+    if (!solid_.is_linear())
+      respond(old_state, step_size, state); // for the tangent
     if (!solid_.supports_are_fixed())
-      {
-        solid_.apply_supports(state.time, state.displacement);
-        state.internal_force = solid_.internal_force(state.displacement);
-      }
+      move_supports(old_state, step_size, state);
     const std::string held =
       contact_.held_penetration({state.displacement, state.time});
     if (!held.empty())
@@ -211,8 +226,29 @@ namespace Signorini
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
           throw StepFailed(failure_message(state, iterate.force_change));
-        iterate = improve(force, points, iterate, state);
+        iterate = improve(old_state, force, points, iterate, state);
+        refuse_collapse(old_state, state);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_collapse(const State &old_state,
+                                 const State &state) const
+  {
+    if (settings_.time.dynamic)
+      return;
+    Vector<double> motion(state.displacement);
+    motion -= old_state.displacement;
+    if (!(motion.linfty_norm() > largest_motion * extent_))
+      return;
+    std::ostringstream message;
+    message << "displacements grew by " << motion.linfty_norm()
+            << " m, while all bodies together are " << extent_
+            << " m wide: the bodies do not carry the load";
+    throw StepFailed(message.str());
   }
 
 
@@ -273,11 +309,14 @@ namespace Signorini
 
   template <int dim>
   typename TimeStep<dim>::Iterate
-  TimeStep<dim>::improve(const Vector<double>                 &residual,
+  TimeStep<dim>::improve(const State                          &old_state,
+                         const Vector<double>                 &residual,
                          const std::vector<ContactPoint<dim>> &points,
                          const Iterate                        &iterate,
                          State                                &state)
   {
+    const double step_size = state.time - old_state.time;
+    factorise(step_size);
     try
       {
         auto correction = system_.correct(residual,
@@ -290,8 +329,7 @@ namespace Signorini
           fallbacks_ =
             contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
-        const auto timing    = timings_.measure(section_residual_);
-        state.internal_force = solid_.internal_force(state.displacement);
+        respond(old_state, step_size, state);
         const double change =
           relative_change(iterate.multipliers, correction.multipliers);
         return {std::move(correction.multipliers),
@@ -326,113 +364,6 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::update_rates(const State &old_state,
-                              const double step_size,
-                              State       &state) const
-  {
-    if (!settings_.time.dynamic)
-      return;
-    const auto timing  = timings_.measure(section_residual_);
-    state.acceleration = scheme_.acceleration(state.displacement,
-                                              old_state.displacement,
-                                              old_state.velocity,
-                                              old_state.acceleration,
-                                              step_size);
-    state.velocity     = scheme_.velocity(state.acceleration,
-                                      old_state.velocity,
-                                      old_state.acceleration,
-                                      step_size);
-    solid_.apply_support_rates(state.time,
-                               step_size,
-                               state.velocity,
-                               state.acceleration);
-  }
-
-
-
-  template <int dim>
-  Vector<double>
-  TimeStep<dim>::residual(const State &old_state, const State &state) const
-  {
-    const auto     timing = timings_.measure(section_residual_);
-    Vector<double> force(state.external_force);
-    force -= state.internal_force;
-    if (!settings_.time.dynamic)
-      return force;
-
-    // (1-alpha_H) (F - F_int) + alpha_H (F_n - F_int,n); nodes without mass
-    // are in balance at the end of the step, whatever was before.
-    force *= 1. - scheme_.alpha_H;
-    if (scheme_.alpha_H != 0.)
-      {
-        Vector<double> history(old_state.external_force);
-        history -= old_state.internal_force;
-        solid_.mass_redistribution().clear_massless(history);
-        force.add(scheme_.alpha_H, history);
-      }
-
-    Vector<double> weighted(state.acceleration);
-    weighted.sadd(1. - scheme_.alpha_B,
-                  scheme_.alpha_B,
-                  old_state.acceleration);
-    Vector<double> product(force.size());
-    solid_.mass().vmult(product, weighted);
-    force -= product;
-    if (solid_.is_damped())
-      {
-        weighted = state.velocity;
-        weighted.sadd(1. - scheme_.alpha_H,
-                      scheme_.alpha_H,
-                      old_state.velocity);
-        solid_.damping().vmult(product, weighted);
-        force -= product;
-      }
-
-    // The multipliers are a share of the contact forces: that of rows that
-    // have mass has to be the same.
-    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
-      force[i] *= multiplier_factor_;
-    return force;
-  }
-
-
-
-  template <int dim>
-  double
-  TimeStep<dim>::imbalance(const State                          &old_state,
-                           const State                          &state,
-                           Vector<double>                        residual,
-                           const std::vector<ContactPoint<dim>> &points,
-                           const InterfaceForces &multipliers) const
-  {
-    const auto   timing    = timings_.measure(section_residual_);
-    const double step_size = state.time - old_state.time;
-    contact_.add_contact_forces(points, multipliers, 1., residual);
-    double largest = 0.;
-    for (unsigned int i = 0; i < residual.size(); ++i)
-      if (!solid_.is_fixed()[i])
-        largest = std::max(largest, std::abs(residual[i]));
-    if (largest == 0.)
-      return 0.;
-
-    // A body in free flight has no forces but rounding, which is in proportion
-    // to the forces that would hold back its displacement.
-    const double held_back =
-      (largest_stiffness_ + largest_mass_ * effective_factors(step_size).mass) *
-      state.displacement.linfty_norm();
-    double scale = std::max({state.external_force.linfty_norm(),
-                             state.internal_force.linfty_norm(),
-                             largest_mass_ * state.acceleration.linfty_norm(),
-                             1e-5 * held_back});
-    for (const double multiplier : multipliers.normal)
-      scale = std::max(scale, multiplier);
-    return largest / scale;
-  }
-
-
-
-  template <int dim>
-  void
   TimeStep<dim>::finish(const State                          &old_state,
                         const std::vector<ContactPoint<dim>> &points,
                         const Iterate                        &iterate,
@@ -455,7 +386,7 @@ namespace Signorini
       }
     const auto timing = timings_.measure(section_residual_);
     measure_support_forces(solid_, contact_, points, state);
-    measure_energy(solid_, state);
+    measure_kinetic_energy(solid_, state);
     measure_work(solid_, contact_, old_state, points, state);
   }
 

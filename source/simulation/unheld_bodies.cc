@@ -293,8 +293,9 @@ namespace Signorini
       if (!motion.is_in_a_pair)
         refuse(motion, "");
 
-    const Vector<double> &force = solid.external_force(time);
-    std::vector<double>   load;
+    const Vector<double> &force =
+      solid.external_force(time, Vector<double>(solid.n_dofs()));
+    std::vector<double> load;
     for (const auto &motion : motions)
       load.push_back(motion.mode.motion * force);
     auto free =

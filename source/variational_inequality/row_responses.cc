@@ -45,13 +45,17 @@ namespace Signorini
       return;
 
     // One block: the triangular solves then run at the speed of a
-    // matrix-matrix product.
-    const unsigned int  n = stiffness.size();
-    std::vector<double> columns(std::size_t(n) * missing.size(), 0.);
+    // matrix-matrix product. BLAS takes its columns in groups of up to eight,
+    // and rounds those of a smaller last group in another way. With whole
+    // groups a response does not depend on which others come with it, so that
+    // a run that is resumed, and knows none, finds the same ones.
+    const unsigned int  n         = stiffness.size();
+    const unsigned int  n_columns = (missing.size() + 7) / 8 * 8;
+    std::vector<double> columns(std::size_t(n) * n_columns, 0.);
     for (unsigned int c = 0; c < missing.size(); ++c)
       for (const auto &[dof, coefficient] : rows(missing[c]))
         columns[dof + std::size_t(c) * n] += coefficient;
-    stiffness.solve_columns(columns, missing.size());
+    stiffness.solve_columns(columns, n_columns);
 
     for (unsigned int c = 0; c < missing.size(); ++c)
       {

@@ -65,6 +65,22 @@ namespace Signorini
     unsigned int
     n_outputs() const;
 
+    /** After a checkpoint was read: removes what the folder holds beyond it.
+     * @throws ComputationError. */
+    void
+    cut_back() const
+    {
+      pvd_file.cut_back(number);
+    }
+
+    /** For checkpoints through Boost.Serialization. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &pvd_file &number;
+    }
+
   private:
     const std::string folder;
     PvdFile           pvd_file;

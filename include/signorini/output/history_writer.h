@@ -25,7 +25,9 @@ namespace Signorini
   {
   public:
     /**
-     * Create the file and write its first line.
+     * Create the file and write its first line. A history that has rows
+     * already, because a run is resumed, takes the place of the old file as a
+     * whole, so that nothing is lost if that fails.
      * @param flush_interval Longest time that rows are held back; 0 writes
      * every row at once. Unit: s.
      * @throws InputError when the file cannot be created.
@@ -52,6 +54,13 @@ namespace Signorini
     flush();
 
   private:
+    // The first line, and all rows there are.
+    void
+    add_head(const History &history);
+
+    void
+    add_rows(const History &history);
+
     using Clock = std::chrono::steady_clock;
 
     // Half a row at the end would make the table unreadable.

@@ -33,6 +33,9 @@ namespace Signorini
 
       /** Least time between two progress lines elsewhere. Unit: s. */
       double line_interval = 5.;
+
+      /** Go on at the end of a file that exists. */
+      bool append = false;
     };
 
     /** Whether the standard output is a terminal, and the default times. */
@@ -45,6 +48,9 @@ namespace Signorini
      * @throws InputError when the file cannot be created.
      */
     explicit Log(const std::string &file_name);
+
+    /** The same with other settings. */
+    Log(const std::string &file_name, const Settings &settings);
 
     /** The same for another console, which has to outlive this object. */
     Log(const std::string &file_name,

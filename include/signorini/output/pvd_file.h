@@ -1,6 +1,9 @@
 #ifndef signorini_output_pvd_file_h
 #define signorini_output_pvd_file_h
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <string>
 #include <vector>
 
@@ -25,6 +28,13 @@ namespace Signorini
 
       /** Name of the VTU file, relative to the folder of this file. */
       std::string vtu_file;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &time &part &vtu_file;
+      }
     };
 
     explicit PvdFile(const std::string &file_name);
@@ -36,7 +46,27 @@ namespace Signorini
     void
     add(const std::vector<Entry> &entries);
 
+    /**
+     * Writes the file as it stands, and removes the VTU files of its parts
+     * whose number is not below @p n_outputs: those of a run that went on
+     * after the checkpoint from which it is resumed.
+     * @throws ComputationError as add().
+     */
+    void
+    cut_back(const unsigned int n_outputs) const;
+
+    /** For checkpoints through Boost.Serialization. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &entries &parts;
+    }
+
   private:
+    void
+    write() const;
+
     const std::string  file_name;
     std::vector<Entry> entries;
 
@@ -62,6 +92,10 @@ namespace Signorini
    */
   void
   write_result_file(const std::string &file_name, const std::string &content);
+
+  /** The same in place of an old file, of which a reader never sees half. */
+  void
+  replace_result_file(const std::string &file_name, const std::string &content);
 } // namespace Signorini
 
 #endif

@@ -13,7 +13,7 @@ namespace Signorini
    *
    * With @p overwrite the folder NAME itself is used, and the files directly
    * in it that the program could have written (endings vtu, pvd, csv, log,
-   * prm, txt) are removed first. Everything else in it stays.
+   * prm, txt, checkpoint) are removed first. Everything else in it stays.
    *
    * @return The path of the folder. It exists and can be written to.
    * @throws InputError when the folder cannot be created, cleared or written
@@ -24,6 +24,14 @@ namespace Signorini
   create_run_folder(const std::string &base,
                     const std::string &parameter_file,
                     const bool         overwrite = false);
+
+  /**
+   * The folder of an earlier run of this parameter file: of NAME, NAME-2, ...
+   * below base the one whose checkpoint is the newest.
+   * @throws InputError when none of them holds a checkpoint.
+   */
+  std::string
+  find_run_folder(const std::string &base, const std::string &parameter_file);
 } // namespace Signorini
 
 #endif

@@ -62,10 +62,13 @@ namespace Signorini
 
     /**
      * Assembles and factorises K^, unless it is the one at hand.
+     * @param tangent K of the present iterate; null: the constant one of a
+     *                linear solid
      * @throws NotPositiveDefinite, ComputationError.
      */
     void
-    factorise(const Factors &factors);
+    factorise(const Factors                      &factors,
+              const dealii::SparseMatrix<double> *tangent = nullptr);
 
     /**
      * Solves K^ motion = residual + contact forces under the gap constraints.

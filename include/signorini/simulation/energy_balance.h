@@ -9,12 +9,12 @@
 namespace Signorini
 {
   /**
-   * Kinetic energy 1/2 V.M V and strain energy 1/2 U.F_int of a state. A
-   * static run has no mass, and no kinetic energy.
+   * Kinetic energy 1/2 V.M V of a state. A static run has no mass, and no
+   * kinetic energy.
    */
   template <int dim>
   void
-  measure_energy(const SolidModel<dim> &solid, State &state);
+  measure_kinetic_energy(const SolidModel<dim> &solid, State &state);
 
   /** Forces on the unknowns with given motion, that make it happen. N. */
   template <int dim>

@@ -15,17 +15,15 @@ namespace Signorini
   /**
    * From now on the first Ctrl-C (SIGINT) or SIGTERM only leaves a mark, so
    * that a run can end between two steps with its files complete. A second
-   * one ends the program at once.
+   * one ends the program at once. A limit on the size of files (SIGXFSZ) is
+   * treated like a full disk, which the writers report.
    */
   void
   catch_interruptions();
 
-  /**
-   * To be called between two steps, with the files flushed.
-   * @throws Interrupted when a signal has come in the meantime.
-   */
-  void
-  stop_if_interrupted();
+  /** To be asked between two steps: whether a signal has come meanwhile. */
+  bool
+  is_interrupted();
 } // namespace Signorini
 
 #endif

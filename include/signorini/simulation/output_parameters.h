@@ -25,9 +25,11 @@ namespace Signorini
     };
 
     std::string          directory;
-    unsigned int         steps_between_fields; // 0: not by steps
-    double               time_between_fields;  // s; 0: not by time
-    std::vector<double>  interface_times;      // s, increasing
+    unsigned int         steps_between_fields;        // 0: not by steps
+    double               time_between_fields;         // s; 0: not by time
+    unsigned int         steps_between_checkpoints;   // 0: not by steps
+    double               minutes_between_checkpoints; // 0: not by the clock
+    std::vector<double>  interface_times;             // s, increasing
     std::vector<Monitor> monitors;
     std::string          checks;
 

@@ -20,6 +20,16 @@ namespace Signorini
     /** Results of an earlier run in the same folder may be replaced. */
     bool overwrite = false;
 
+    /**
+     * Go on from the last checkpoint of an earlier run: of the one in this
+     * folder, or of the newest one of the file if it is empty.
+     */
+    std::optional<std::string> resume;
+
+    /** The program and the options to give once more to go on with a run. */
+    std::string program = "signorini";
+    std::string repeated_options;
+
     /** "Section/Entry=value", set on top of the .prm in this order. */
     std::vector<std::string> overrides;
 

@@ -1,24 +1,39 @@
 #ifndef signorini_simulation_simulation_h
 #define signorini_simulation_simulation_h
 
+#include <signorini/output/checkpoint.h>
 #include <signorini/output/expected_results.h>
 #include <signorini/output/field_writer.h>
-#include <signorini/output/history.h>
 #include <signorini/output/history_writer.h>
 #include <signorini/output/log.h>
 #include <signorini/output/surface_writer.h>
 #include <signorini/output/timings.h>
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/result_fields.h>
-#include <signorini/simulation/time_step.h>
+#include <signorini/simulation/run_record.h>
+#include <signorini/simulation/step_driver.h>
+#include <signorini/time/step_plan.h>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
-  /** The time loop of one run: steps, results, checks. */
+  /** What a run is told beside its problem. */
+  struct RunTask
+  {
+    std::string                 folder;    // of the results; it exists
+    std::optional<unsigned int> max_steps; // regular ones; then stop
+    std::vector<InputEntry>     input;     // kept in checkpoints
+    unsigned int                geometry;  // the same, a checksum
+    std::string                 resume_command;
+    std::optional<Checkpoint>   checkpoint; // from which to go on, if it fits
+  };
+
+  /** The time loop of one run: steps, results, checkpoints, checks. */
   template <int dim>
   class Simulation
   {
@@ -27,74 +42,73 @@ namespace Signorini
     Simulation(const Problem<dim> &problem, Timings &timings);
 
     /**
-     * Runs from t = 0 to the end and writes into an existing folder.
-     * @param max_steps stop after so many steps, without checks
-     * @throws ComputationError when a step fails at the smallest size,
+     * Runs from t = 0, or from a checkpoint, to the end. Without the end there
+     * are no checks.
+     * @throws InputError if the checkpoint is of another program,
+     * ComputationError when a step fails at the smallest size,
      * ExpectedResultsMissed, Interrupted. What was computed is on disk.
      */
     void
-    run(const std::string                &folder,
-        const std::optional<unsigned int> max_steps,
-        Log                              &log);
+    run(const RunTask &task, Log &log);
 
   private:
     // The files of a run.
     struct Files
     {
-      Files(const std::string &folder, const History &history);
+      explicit Files(const std::string &folder)
+        : fields(folder)
+        , surfaces(folder)
+      {}
 
-      HistoryWriter      history;
-      FieldWriter<dim>   fields;
-      SurfaceWriter<dim> surfaces;
+      std::unique_ptr<HistoryWriter> history;
+      FieldWriter<dim>               fields;
+      SurfaceWriter<dim>             surfaces;
     };
 
-    unsigned int
-    n_grid_steps() const;
-
-    // One step towards a time of the regular grid, cut in half until it
-    // converges.
-    State
-    advance_towards(const State       &state,
-                    const double       target,
-                    const std::string &folder,
-                    Log               &log);
-
-    // As text, so that it can be solved alone.
     void
-    write_interface(const std::string &path, Log &log) const;
+    begin(const RunTask &task, Files &files);
 
     void
-    record(const State &state, const bool with_fields, Files &files);
+    resume(const RunTask &task, Files &files, Log &log);
+
+    // One step that is accepted, with its results.
+    void
+    make_step(const RunTask &task, Files &files, Log &log);
 
     void
-    write_fields(const State &state, Files &files);
+    record(const bool with_fields, Files &files);
 
     void
-    record_interruption(const State &state, Files &files, Log &log);
+    write_fields(Files &files);
 
-    [[noreturn]] void
-    throw_not_positive_definite(const unsigned int unknown) const;
+    // Says how to go on. False, with the reason in the log, if it cannot be
+    // written: that alone does not stop a run.
+    bool
+    save(const RunTask &task, const Files &files, Log &log);
+
+    // The results at the last time, whether or not the run is complete.
+    void
+    finish(const RunTask &task, Files &files);
 
     void
-    show_progress(const State &state, Log &log) const;
+    show_progress(Log &log) const;
 
     void
-    summarise(const State &state, Log &log) const;
+    summarise(Log &log) const;
 
     void
     check(Log &log) const;
 
     const Problem<dim>                   &problem_;
     Timings                              &timings_;
-    TimeStep<dim>                         time_step_;
+    StepDriver<dim>                       driver_;
+    StepPlan                              plan_;
     ResultFields<dim>                     fields_;
     ExpectedResults                       expected_;
-    History                               history_;
+    CheckpointClock                       checkpoint_clock_;
+    RunRecord                             record_;
     State                                 shown_state_; // of the last fields
-    double                                step_size_;   // of the last step
-    unsigned int                          n_cuts_       = 0;
-    unsigned int                          n_fallbacks_  = 0; // steps
-    unsigned int                          n_iterations_ = 0;
+    double                                start_time_;  // of this run, s
     std::chrono::steady_clock::time_point start_;
   };
 } // namespace Signorini

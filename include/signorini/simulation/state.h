@@ -17,7 +17,7 @@ namespace Signorini
    * Where energy is and where it came from since t = 0, in J (2-D: with the
    * thickness). The sum of the works on the right equals what is kept on the
    * left up to what the time integration loses,
-   *   kinetic + stored + damping + friction + scheme_loss
+   *   kinetic + stored + plastic + damping + friction + scheme_loss
    *     = initial + loads + supports + contact + returned.
    */
   struct EnergyLedger
@@ -25,6 +25,7 @@ namespace Signorini
     double initial  = 0.; // kinetic + stored at t = 0
     double kinetic  = 0.; // 1/2 V.M V
     double stored   = 0.; // strain energy
+    double plastic  = 0.; // plastic work
     double loads    = 0.; // work of the loads
     double supports = 0.; // work of prescribed motions
     double contact  = 0.; // of the contact forces, but for friction
@@ -37,15 +38,15 @@ namespace Signorini
     scheme_loss() const
     {
       return initial + loads + supports + contact + returned - damping -
-             friction - kinetic - stored;
+             friction - plastic - kinetic - stored;
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &initial &kinetic &stored &loads &supports &contact &returned
-        &damping &friction;
+      archive &initial &kinetic &stored &plastic &loads &supports &contact
+        &returned &damping &friction;
     }
   };
 
@@ -63,6 +64,7 @@ namespace Signorini
     dealii::Vector<double> internal_force;    // F_int(U), N
     dealii::Vector<double> external_force;    // F(t), N
     dealii::Vector<double> support_force;     // at given unknowns, N
+    std::vector<double>    history;           // of all material points
     InterfaceForces        contact_forces;    // of each candidate, N
     std::vector<double>    gaps;              // g_k of each candidate, m
     double                 contact_debt = 0.; // work still to be returned, J
@@ -85,6 +87,7 @@ namespace Signorini
     {
       archive &time &step &displacement &velocity &acceleration;
       archive &internal_force &external_force     &support_force;
+      archive                                     &history;
       archive &contact_forces.normal  &contact_forces.tangential;
       archive &gaps &contact_debt     &energy;
       archive &slips &slip_rates      &is_slipping;

@@ -93,6 +93,19 @@ namespace Signorini
     std::vector<ContactPoint<dim>>
     evaluate_contact(const State &state, const State &old_state) const;
 
+    // Internal forces, energies, history and tangent at the displacement of
+    // `state'. @throws StepFailed where a material has no answer.
+    void
+    respond(const State &old_state, const double step_size, State &state);
+
+    // Given motions at the time of `state'.
+    void
+    move_supports(const State &old_state, const double step_size, State &state);
+
+    // @throws StepFailed, or NotPositiveDefinite if the solid is linear.
+    void
+    factorise(const double step_size);
+
     // Accelerations and velocities that belong to the displacement of `state`.
     void
     update_rates(const State &old_state,
@@ -116,6 +129,10 @@ namespace Signorini
               const std::vector<ContactPoint<dim>> &points,
               const Iterate                        &iterate) const;
 
+    // @throws StepFailed if nothing holds back the bodies of a static run.
+    void
+    refuse_collapse(const State &old_state, const State &state) const;
+
     // @throws StepFailed if a node was through a target and out again.
     void
     refuse_passage(const State   &old_state,
@@ -123,7 +140,8 @@ namespace Signorini
                    const State   &state) const;
 
     Iterate
-    improve(const dealii::Vector<double>         &residual,
+    improve(const State                          &old_state,
+            const dealii::Vector<double>         &residual,
             const std::vector<ContactPoint<dim>> &points,
             const Iterate                        &iterate,
             State                                &state);
@@ -143,9 +161,14 @@ namespace Signorini
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;      // of a node, kg
     double                   largest_stiffness_; // of the diagonal, N/m
+    double                   extent_;            // of all bodies, m
     std::string              fallbacks_;
-    unsigned int             section_residual_;
-    unsigned int             section_contact_;
+
+    // Of the last iterate of a solid that is not linear.
+    dealii::SparseMatrix<double> tangent_;
+    unsigned int                 section_residual_;
+    unsigned int                 section_assembly_;
+    unsigned int                 section_contact_;
   };
 } // namespace Signorini
 

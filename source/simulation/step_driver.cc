@@ -1,0 +1,264 @@
+#include <signorini/input_error.h>
+#include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/simulation/step_driver.h>
+#include <signorini/time/step_error.h>
+#include <signorini/time/step_plan.h>
+#include <signorini/variational_inequality/interface_problem_io.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    typename TimeStep<dim>::Settings
+    settings(const Problem<dim> &problem)
+    {
+      return {problem.time,
+              problem.contact_parameters.algorithm,
+              problem.contact_parameters.force_tolerance};
+    }
+
+    std::string
+    step_in_words(const State &old_state, const double size)
+    {
+      std::ostringstream text;
+      text << "step at t = " << old_state.time << " s of " << size << " s";
+      return text.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepDriver<dim>::StepDriver(const Problem<dim> &problem, Timings &timings)
+    : problem_(problem)
+    , timings_(timings)
+    , time_step_(*problem.solid, *problem.contact, settings(problem), timings)
+  {}
+
+
+
+  template <int dim>
+  State
+  StepDriver<dim>::initial_state()
+  {
+    try
+      {
+        return time_step_.initial_state(problem_.initial_displacement,
+                                        problem_.initial_velocity);
+      }
+    catch (const NotPositiveDefinite &failure)
+      {
+        throw_not_positive_definite(failure.unknown);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::advance(const double       target,
+                           const std::string &folder,
+                           RunRecord         &record,
+                           Log               &log)
+  {
+    const StepControl &control = problem_.time.step_control;
+    StepTrial          trial;
+    trial.size =
+      next_step_size(control, record.step_memory, record.state.time, target);
+    while (true)
+      {
+        State       state;
+        std::string failure;
+        try
+          {
+            state = time_step_.advance(record.state, trial.size);
+          }
+        catch (const StepFailed &reason)
+          {
+            failure = reason.what();
+          }
+        catch (const NotPositiveDefinite &reason)
+          {
+            throw_not_positive_definite(reason.unknown);
+          }
+        trial.converged    = failure.empty();
+        trial.n_iterations = state.n_iterations;
+        trial.error        = trial.converged ?
+                               error(record.state, state, record.largest_kinetic) :
+                               0.;
+        const StepVerdict verdict =
+          judge_step(control, record.step_memory, trial);
+        if (verdict.is_accepted)
+          {
+            // A sum of many sizes misses the target by its rounding.
+            if (control.automatic && StepPlan::is_met(state.time, target))
+              state.time = target;
+            accept(trial, verdict, std::move(state), record, log);
+            return;
+          }
+        if (!trial.converged)
+          report_failure(record.state, trial, verdict, failure, folder, log);
+        else
+          log.detail(step_in_words(record.state, trial.size) + ": " +
+                     verdict.reason);
+        ++(trial.converged ? record.counts.n_rejections : record.counts.n_cuts);
+        record.step_memory   = verdict.memory;
+        trial.rejected_error = trial.error;
+        trial.size           = verdict.next_size;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::relax(RunRecord &record, Log &log) const
+  {
+    auto still         = settings(problem_);
+    still.time.dynamic = false;
+    TimeStep<dim> step(*problem_.solid, *problem_.contact, still, timings_);
+    State         state = record.state;
+    state.contact_debt  = 0.;
+    for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
+      state.velocity[i] = state.acceleration[i] = 0.;
+    try
+      {
+        state = step.advance(state, problem_.time.step_control.initial_size);
+      }
+    catch (const StepFailed &failure)
+      {
+        throw ComputationError(
+          std::string("Final relaxation: ") + failure.what() +
+          ". What was computed before is complete. A later End time, at which "
+          "the bodies are quieter, helps; Final relaxation = none does without.");
+      }
+    const double loss =
+      state.energy.scheme_loss() - record.state.energy.scheme_loss();
+    state.energy.damping += loss;
+    std::ostringstream message;
+    message << "final relaxation: " << state.n_iterations << " iterations took "
+            << loss << " J of vibration";
+    log.line(message.str());
+    record.state = std::move(state);
+  }
+
+
+
+  template <int dim>
+  double
+  StepDriver<dim>::error(const State &old_state,
+                         const State &state,
+                         const double largest) const
+  {
+    const double tolerance = problem_.time.step_control.error_tolerance;
+    if (!problem_.time.step_control.automatic || tolerance == 0.)
+      return 0.;
+    Vector<double> change(state.acceleration);
+    change -= old_state.acceleration;
+    const SparseMatrix<double> &mass = problem_.solid->mass();
+    return relative_step_error(problem_.time.scheme,
+                               state.time - old_state.time,
+                               std::sqrt(mass.matrix_norm_square(change)),
+                               std::sqrt(2. * std::max(largest,
+                                                       state.energy.kinetic))) /
+           tolerance;
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::report_failure(const State       &old_state,
+                                  const StepTrial   &trial,
+                                  const StepVerdict &verdict,
+                                  const std::string &reason,
+                                  const std::string &folder,
+                                  Log               &log) const
+  {
+    const std::string message =
+      step_in_words(old_state, trial.size) + ": " + reason;
+    if (verdict.next_size >= problem_.time.step_control.minimal_size)
+      {
+        log.line(message + "; " + verdict.reason);
+        return;
+      }
+    write_interface(folder + "/interface_failed.txt", log);
+    throw ComputationError(
+      message + ". The step was cut down to the Minimal step size. Look at the "
+                "last results to see what happens there. Often more Maximal "
+                "iterations, smaller steps, or a finer mesh where contact "
+                "happens help.");
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::accept(const StepTrial   &trial,
+                          const StepVerdict &verdict,
+                          State            &&state,
+                          RunRecord         &record,
+                          Log               &log) const
+  {
+    StepCounts &counts = record.counts;
+    counts.n_iterations += state.n_iterations;
+    counts.n_tolerated += trial.error > 1.;
+    counts.smallest = std::min(counts.smallest, trial.size);
+    counts.largest  = std::max(counts.largest, trial.size);
+    if (!time_step_.fallbacks().empty())
+      {
+        ++counts.n_fallbacks;
+        log.detail("step " + std::to_string(state.step) +
+                   ": the active set came back and a globally "
+                   "convergent method solved the contact of " +
+                   time_step_.fallbacks());
+      }
+    if (!verdict.reason.empty())
+      {
+        std::ostringstream message;
+        message << "t = " << state.time << " s: " << verdict.reason;
+        log.detail(message.str());
+      }
+    record.largest_kinetic =
+      std::max(record.largest_kinetic, state.energy.kinetic);
+    record.step_memory = verdict.memory;
+    record.state       = std::move(state);
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::throw_not_positive_definite(const unsigned int unknown) const
+  {
+    throw ComputationError(
+      "The stiffness matrix is not positive definite at " +
+      problem_.solid->unknown_in_words(unknown) +
+      ": the body is not held, or a cell is turned inside out. Check its "
+      "Supports and its mesh.");
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::write_interface(const std::string &path, Log &log) const
+  {
+    if (time_step_.interface_problem().size() == 0)
+      return;
+    std::ofstream file(path);
+    write_interface_problem(time_step_.interface_problem(), file);
+    log.line("interface problem in " + path);
+  }
+
+
+
+  template class StepDriver<2>;
+  template class StepDriver<3>;
+} // namespace Signorini

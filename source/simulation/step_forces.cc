@@ -1,0 +1,248 @@
+// The part of TimeStep that asks the bodies for their forces.
+#include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/simulation/time_step.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  typename EffectiveSystem<dim>::Factors
+  TimeStep<dim>::effective_factors(const double step_size) const
+  {
+    if (!settings_.time.dynamic)
+      return {1., 0., 0.};
+    return {1. - scheme_.alpha_H,
+            (1. - scheme_.alpha_B) * scheme_.acceleration_factor(step_size),
+            solid_.is_damped() ?
+              (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
+              0.,
+            multiplier_factor_};
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::respond(const State &old_state,
+                         const double step_size,
+                         State       &state)
+  {
+    const auto timing = timings_.measure(
+      solid_.is_linear() ? section_residual_ : section_assembly_);
+    try
+      {
+        SolidResponse response =
+          solid_.respond(state.displacement,
+                         step_size,
+                         old_state.history,
+                         solid_.is_linear() ? nullptr : &tangent_);
+        state.internal_force = std::move(response.internal_force);
+        state.history        = std::move(response.history);
+        state.energy.stored  = response.stored_energy;
+        state.energy.plastic = response.plastic_work;
+        if (solid_.loads_follow())
+          state.external_force =
+            solid_.external_force(state.time, state.displacement);
+      }
+    catch (const MaterialFailure &failure)
+      {
+        throw StepFailed(failure.what());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::move_supports(const State &old_state,
+                               const double step_size,
+                               State       &state)
+  {
+    Vector<double> motion(state.displacement);
+    solid_.apply_supports(state.time, state.displacement);
+    if (solid_.is_linear())
+      {
+        respond(old_state, step_size, state);
+        return;
+      }
+    // The forces of this motion to first order: the first correction then
+    // spreads it over the bodies, instead of crushing the outer cells.
+    motion -= state.displacement;
+    Vector<double> force(motion.size());
+    tangent_.vmult(force, motion);
+    state.internal_force -= force;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::factorise(const double step_size)
+  {
+    const auto factors = effective_factors(step_size);
+    if (solid_.is_linear())
+      {
+        system_.factorise(factors);
+        return;
+      }
+    try
+      {
+        system_.factorise(factors, &tangent_);
+      }
+    catch (const NotPositiveDefinite &error)
+      {
+        throw StepFailed(
+          "the effective stiffness is not positive definite at " +
+          solid_.unknown_in_words(error.unknown));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::update_rates(const State &old_state,
+                              const double step_size,
+                              State       &state) const
+  {
+    if (!settings_.time.dynamic)
+      return;
+    const auto timing  = timings_.measure(section_residual_);
+    state.acceleration = scheme_.acceleration(state.displacement,
+                                              old_state.displacement,
+                                              old_state.velocity,
+                                              old_state.acceleration,
+                                              step_size);
+    state.velocity     = scheme_.velocity(state.acceleration,
+                                      old_state.velocity,
+                                      old_state.acceleration,
+                                      step_size);
+    solid_.apply_support_rates(state.time,
+                               step_size,
+                               state.velocity,
+                               state.acceleration);
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  TimeStep<dim>::residual(const State &old_state, const State &state) const
+  {
+    const auto     timing = timings_.measure(section_residual_);
+    Vector<double> force(state.external_force);
+    force -= state.internal_force;
+    if (!settings_.time.dynamic)
+      return force;
+
+    // (1-alpha_H) (F - F_int) + alpha_H (F_n - F_int,n); nodes without mass
+    // are in balance at the end of the step, whatever was before.
+    force *= 1. - scheme_.alpha_H;
+    if (scheme_.alpha_H != 0.)
+      {
+        Vector<double> history(old_state.external_force);
+        history -= old_state.internal_force;
+        solid_.mass_redistribution().clear_massless(history);
+        force.add(scheme_.alpha_H, history);
+      }
+
+    Vector<double> weighted(state.acceleration);
+    weighted.sadd(1. - scheme_.alpha_B,
+                  scheme_.alpha_B,
+                  old_state.acceleration);
+    Vector<double> product(force.size());
+    solid_.mass().vmult(product, weighted);
+    force -= product;
+    if (solid_.is_damped())
+      {
+        weighted = state.velocity;
+        weighted.sadd(1. - scheme_.alpha_H,
+                      scheme_.alpha_H,
+                      old_state.velocity);
+        solid_.damping().vmult(product, weighted);
+        force -= product;
+      }
+
+    // The multipliers are a share of the contact forces: that of rows that
+    // have mass has to be the same.
+    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+      force[i] *= multiplier_factor_;
+    return force;
+  }
+
+
+
+  template <int dim>
+  double
+  TimeStep<dim>::imbalance(const State                          &old_state,
+                           const State                          &state,
+                           Vector<double>                        residual,
+                           const std::vector<ContactPoint<dim>> &points,
+                           const InterfaceForces &multipliers) const
+  {
+    const auto   timing    = timings_.measure(section_residual_);
+    const double step_size = state.time - old_state.time;
+    contact_.add_contact_forces(points, multipliers, 1., residual);
+    double largest = 0.;
+    for (unsigned int i = 0; i < residual.size(); ++i)
+      if (!solid_.is_fixed()[i])
+        largest = std::max(largest, std::abs(residual[i]));
+    if (largest == 0.)
+      return 0.;
+
+    // A body in free flight has no forces but rounding, which is in proportion
+    // to the forces that would hold back its displacement.
+    const double held_back =
+      (largest_stiffness_ + largest_mass_ * effective_factors(step_size).mass) *
+      state.displacement.linfty_norm();
+    double scale = std::max({state.external_force.linfty_norm(),
+                             state.internal_force.linfty_norm(),
+                             largest_mass_ * state.acceleration.linfty_norm(),
+                             1e-5 * held_back});
+    for (const double multiplier : multipliers.normal)
+      scale = std::max(scale, multiplier);
+    return largest / scale;
+  }
+
+
+
+  template typename EffectiveSystem<2>::Factors
+  TimeStep<2>::effective_factors(const double) const;
+  template void
+  TimeStep<2>::respond(const State &, const double, State &);
+  template void
+  TimeStep<2>::move_supports(const State &, const double, State &);
+  template void
+  TimeStep<2>::factorise(const double);
+  template void
+  TimeStep<2>::update_rates(const State &, const double, State &) const;
+  template Vector<double>
+  TimeStep<2>::residual(const State &, const State &) const;
+  template double
+  TimeStep<2>::imbalance(const State &,
+                         const State &,
+                         Vector<double>,
+                         const std::vector<ContactPoint<2>> &,
+                         const InterfaceForces &) const;
+  template typename EffectiveSystem<3>::Factors
+  TimeStep<3>::effective_factors(const double) const;
+  template void
+  TimeStep<3>::respond(const State &, const double, State &);
+  template void
+  TimeStep<3>::move_supports(const State &, const double, State &);
+  template void
+  TimeStep<3>::factorise(const double);
+  template void
+  TimeStep<3>::update_rates(const State &, const double, State &) const;
+  template Vector<double>
+  TimeStep<3>::residual(const State &, const State &) const;
+  template double
+  TimeStep<3>::imbalance(const State &,
+                         const State &,
+                         Vector<double>,
+                         const std::vector<ContactPoint<3>> &,
+                         const InterfaceForces &) const;
+} // namespace Signorini
