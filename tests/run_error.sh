@@ -6,6 +6,9 @@
 #   # exit: 3         the exit code; without this line 1, and found by --check
 #   # output: DIR     run, do not check, with the results in DIR
 #   # full: FILE      no byte can be written to this file of the results
+#   # first: OPTIONS  a run with these options comes first; the test resumes it
+#   # spoil: COMMAND  what happens in the folder of its results in between
+#   # options: TEXT   further options of the run that is refused
 set -u
 program=$1
 prm=$2
@@ -24,13 +27,29 @@ header() {
 code=$(header exit | head -n 1)
 folder=$(header output | head -n 1)
 full=$(header full | head -n 1)
+first=$(header first | head -n 1)
+results=$scratch/$(basename "$prm" .prm)
 options=(--threads 1 --output-directory "${folder:-$scratch}")
 # A wrong input has to be found before anything is computed.
-if [ "${code:-1}" = 1 ] && [ -z "$folder" ]; then options+=(--check); fi
+if [ "${code:-1}" = 1 ] && [ -z "$folder" ] && [ -z "$first" ]; then options+=(--check); fi
+# An entry may have blanks, so that quotes in the header count.
+eval "options+=($(header options | head -n 1))"
+
+# What stands in the folder of a run, but for its name.
+contents() {
+  (cd "$results" && sha256sum -- *)
+}
 
 rm -rf "$scratch"
+if [ -n "$first" ]; then
+  eval "\"$program\" \"$prm\" --threads 1 --output-directory \"$scratch\" $first" >"$scratch.log" 2>&1 ||
+    fail "the first run failed: $(<"$scratch.log")"
+  rm -f "$scratch.log"
+  (cd "$results" && eval "$(header spoil)")
+  options+=(--resume)
+  before=$(contents)
+fi
 if [ -n "$full" ]; then
-  results=$scratch/$(basename "$prm" .prm)
   mkdir -p "$results"
   ln -s /dev/full "$results/$full"
   options+=(--overwrite)
@@ -48,7 +67,9 @@ done <<<"$expected"
 if grep -qE 'dealii::|std::|terminate called|An error occurred in line|Stacktrace' <<<"$output"; then
   fail "the message speaks C++."
 fi
-if [ "${code:-1}" = 1 ] && [ -e "$scratch" ]; then
+if [ -n "$first" ]; then
+  [ "$before" = "$(contents)" ] || fail "a refused input has changed files in $results."
+elif [ "${code:-1}" = 1 ] && [ -e "$scratch" ]; then
   fail "a refused input has left files in $scratch."
 fi
 

@@ -1,4 +1,5 @@
 #include <signorini/simulation/command_line.h>
+#include <signorini/simulation/shell_word.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -47,6 +48,8 @@ BOOST_AUTO_TEST_CASE(defaults)
   BOOST_TEST(line.run_options.output_directory.empty());
   BOOST_TEST(line.run_options.overrides.empty());
   BOOST_TEST(!line.run_options.max_steps.has_value());
+  BOOST_TEST(!line.run_options.resume.has_value());
+  BOOST_TEST(line.run_options.repeated_options == "");
 }
 
 BOOST_AUTO_TEST_CASE(all_options)
@@ -80,6 +83,36 @@ BOOST_AUTO_TEST_CASE(all_options)
   BOOST_TEST(parse({"--print-parameters"}).print_parameters);
 }
 
+BOOST_AUTO_TEST_CASE(resume)
+{
+  const CommandLine newest = parse({"--resume", "a.prm"});
+  BOOST_TEST(newest.prm_files == std::vector<std::string>{"a.prm"},
+             boost::test_tools::per_element());
+  BOOST_TEST(newest.run_options.resume.value() == "");
+
+  const CommandLine line = parse({"a.prm",
+                                  "--resume-from=output/a-2",
+                                  "--threads=1",
+                                  "--steps=3",
+                                  "--set",
+                                  "Time/End time=2"});
+  BOOST_TEST(line.run_options.resume.value() == "output/a-2");
+  BOOST_TEST(line.run_options.program == "signorini");
+  // To go on once more: all that changes the run, but not where it stops.
+  BOOST_TEST(line.run_options.repeated_options ==
+             " --set 'Time/End time=2' --threads 1");
+}
+
+BOOST_AUTO_TEST_CASE(words_of_a_shell)
+{
+  using Signorini::quoted;
+  BOOST_TEST(quoted("prm/a-1.prm") == "prm/a-1.prm");
+  BOOST_TEST(quoted("my file") == "'my file'");
+  BOOST_TEST(quoted("a=$x") == "'a=$x'");
+  BOOST_TEST(quoted("Young's") == "'Young'\\''s'");
+  BOOST_TEST(quoted("") == "''");
+}
+
 BOOST_AUTO_TEST_CASE(interface_problems)
 {
   const CommandLine line = parse({"solve-interface", "a", "b", "--threads=1"});
@@ -109,6 +142,13 @@ BOOST_AUTO_TEST_CASE(messages)
   BOOST_TEST(message_of({"a.prm", "--set"}) ==
              "Command line: the required argument for option '--set' is "
              "missing.");
+  BOOST_TEST(message_of({"a.prm", "--resume", "--overwrite"}) ==
+             "--resume goes on with a run, --overwrite starts it anew: give "
+             "one of them.");
+  BOOST_TEST(message_of({"a.prm", "--resume", "--check"}) ==
+             "--resume computes, --check does not: give one of them.");
+  BOOST_TEST(message_of({"a.prm", "b.prm", "--resume-from=output/a"}) ==
+             "--resume-from is for a single .prm file.");
   BOOST_TEST(message_of({"a.prm", "--check=yes"}) ==
              "Command line: option '--check' does not take any arguments.");
 }
@@ -119,6 +159,8 @@ BOOST_AUTO_TEST_CASE(help_names_every_option)
                                    "--print-parameters",
                                    "--output-directory DIR",
                                    "--overwrite",
+                                   "--resume",
+                                   "--resume-from DIR",
                                    "--set ENTRY",
                                    "--steps N",
                                    "--threads N",

@@ -8,6 +8,8 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "temporary_folder.h"
@@ -207,6 +209,36 @@ BOOST_AUTO_TEST_CASE(a_collection_of_bodies_over_time)
     std::distance(std::filesystem::directory_iterator(folder.path),
                   std::filesystem::directory_iterator());
   BOOST_TEST(n_files == 5);
+}
+
+// Saved after one output, resumed after three: the later two are gone.
+BOOST_AUTO_TEST_CASE(going_on_from_a_checkpoint)
+{
+  const TemporaryFolder folder;
+  const Body<2>         body("thin beam", 1);
+  std::stringstream     stream;
+  FieldWriter<2>        writer(folder.path.string());
+  writer.write({body.fields}, 0.);
+  {
+    boost::archive::binary_oarchive archive(stream);
+    archive << const_cast<const FieldWriter<2> &>(writer);
+  }
+  const std::string saved = read_file(folder.file("results.pvd"));
+  writer.write({body.fields}, 0.1);
+  writer.write({body.fields}, 0.2);
+  const std::string whole = read_file(folder.file("results.pvd"));
+
+  FieldWriter<2> resumed(folder.path.string());
+  boost::archive::binary_iarchive(stream) >> resumed;
+  resumed.cut_back();
+  BOOST_TEST(resumed.n_outputs() == 1u);
+  BOOST_TEST(read_file(folder.file("results.pvd")) == saved);
+  BOOST_TEST(std::filesystem::exists(folder.file("thin_beam_00000.vtu")));
+  BOOST_TEST(!std::filesystem::exists(folder.file("thin_beam_00001.vtu")));
+  BOOST_TEST(!std::filesystem::exists(folder.file("thin_beam_00002.vtu")));
+  resumed.write({body.fields}, 0.1);
+  resumed.write({body.fields}, 0.2);
+  BOOST_TEST(read_file(folder.file("results.pvd")) == whole);
 }
 
 BOOST_AUTO_TEST_CASE(velocity_and_nodal_fields_may_be_missing)

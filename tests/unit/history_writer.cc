@@ -144,6 +144,38 @@ BOOST_AUTO_TEST_CASE(rows_are_held_back_and_written_at_the_end)
   BOOST_TEST(read_file(name).find("\n0.1,1,2\n0.2,3,4\n") != std::string::npos);
 }
 
+// A run that is resumed: rows after the checkpoint go, new ones follow.
+BOOST_AUTO_TEST_CASE(rows_of_an_earlier_run)
+{
+  const TemporaryFolder folder;
+  const std::string     name = folder.file("history.csv");
+  const std::string     head = "time [s],floor.force_y [N],floor.contacts\n";
+  write_file(name, head + "1,1,1\n2,2,2\n3,3,");
+  History history = example();
+  history.append_row({1., 1., 1.});
+  HistoryWriter writer(name, history, 0.);
+  BOOST_TEST(read_file(name) == head + "1,1,1\n");
+  history.append_row({4., 4., 4.});
+  writer.write_new_rows(history);
+  BOOST_TEST(read_file(name) == head + "1,1,1\n4,4,4\n");
+  BOOST_TEST(!std::filesystem::exists(name + ".new"));
+}
+
+// The old rows stay, should there be no room for the same ones.
+BOOST_AUTO_TEST_CASE(a_full_disk_when_a_run_is_resumed)
+{
+  const TemporaryFolder folder;
+  const std::string     name = folder.file("history.csv");
+  write_file(name, "old");
+  History history = example();
+  history.append_row({1., 1., 1.});
+  {
+    const SmallDisk disk(10);
+    BOOST_CHECK_THROW(HistoryWriter(name, history), ComputationError);
+  }
+  BOOST_TEST(read_file(name) == "old");
+}
+
 BOOST_AUTO_TEST_CASE(a_full_disk_from_the_start)
 {
   BOOST_CHECK_THROW(HistoryWriter("/dev/full", example()), ComputationError);

@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 
 using Signorini::create_run_folder;
+using Signorini::find_run_folder;
 using Signorini::InputError;
 
 BOOST_AUTO_TEST_SUITE(run_folder)
@@ -42,13 +43,15 @@ BOOST_AUTO_TEST_CASE(overwriting_removes_only_results)
   const std::string     run = folder.file("beam");
   std::filesystem::create_directories(run + "/kept");
   write_file(run + "/kept/history.csv", "");
-  for (const std::string ending : {"vtu", "pvd", "csv", "log", "prm", "txt"})
+  for (const std::string ending :
+       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint"})
     write_file(run + "/result." + ending, "old");
   write_file(run + "/notes.odt", "");
   write_file(run + "/csv", "");
 
   BOOST_TEST(create_run_folder(folder.path.string(), "beam.prm", true) == run);
-  for (const std::string ending : {"vtu", "pvd", "csv", "log", "prm", "txt"})
+  for (const std::string ending :
+       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint"})
     BOOST_TEST(!std::filesystem::exists(run + "/result." + ending));
   BOOST_TEST(std::filesystem::exists(run + "/kept/history.csv"));
   BOOST_TEST(std::filesystem::exists(run + "/notes.odt"));
@@ -64,6 +67,32 @@ BOOST_AUTO_TEST_CASE(the_parameter_file_itself_is_never_removed)
   BOOST_CHECK_THROW(create_run_folder(folder.path.string(), prm, true),
                     InputError);
   BOOST_TEST(read_file(prm) == "set Title = beam");
+}
+
+// Of several runs of one file, that which was saved last.
+BOOST_AUTO_TEST_CASE(the_run_to_resume)
+{
+  const TemporaryFolder folder;
+  const std::string     base = folder.path.string();
+  BOOST_CHECK_EXCEPTION(find_run_folder(base, "prm/beam.prm"),
+                        InputError,
+                        [&](const InputError &error) {
+                          return std::string(error.what())
+                                   .find(
+                                     "--resume: there is no checkpoint of beam "
+                                     "below '" +
+                                     base + "'.") == 0;
+                        });
+  for (const std::string name : {"beam", "beam-2", "beam-3"})
+    std::filesystem::create_directory(folder.file(name));
+  BOOST_CHECK_THROW(find_run_folder(base, "prm/beam.prm"), InputError);
+  write_file(folder.file("beam-2/last.checkpoint"), "");
+  BOOST_TEST(find_run_folder(base, "prm/beam.prm") == folder.file("beam-2"));
+  write_file(folder.file("beam/previous.checkpoint"), "");
+  std::filesystem::last_write_time(
+    folder.file("beam-2/last.checkpoint"),
+    std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  BOOST_TEST(find_run_folder(base, "prm/beam.prm") == folder.file("beam"));
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_the_folder_and_the_reason)

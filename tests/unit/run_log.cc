@@ -42,6 +42,19 @@ BOOST_AUTO_TEST_CASE(lines_go_to_both_and_at_once)
   BOOST_TEST(read_file(folder.file("run.log")) == "one\ntwo\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_file_goes_on)
+{
+  const TemporaryFolder folder;
+  std::ostringstream    console;
+  Log::Settings         appending = settings(false, 0., 0.);
+  appending.append                = true;
+  Log(folder.file("run.log"), console, appending).line("one");
+  Log(folder.file("run.log"), console, appending).line("two");
+  BOOST_TEST(read_file(folder.file("run.log")) == "one\ntwo\n");
+  Log(folder.file("run.log"), console, settings(false, 0., 0.)).line("anew");
+  BOOST_TEST(read_file(folder.file("run.log")) == "anew\n");
+}
+
 BOOST_AUTO_TEST_CASE(progress_overwrites_itself_on_a_terminal)
 {
   const TemporaryFolder folder;

@@ -21,8 +21,8 @@ namespace
   {
     Vector<double> u(model.n_dofs()), motion(model.n_dofs());
     model.apply_supports(1., u);
-    Vector<double> r(model.external_force(1.));
-    r -= model.internal_force(u);
+    Vector<double> r(model.external_force(1., u));
+    r -= model.respond(u, 0., {}).internal_force;
     SparseCholesky cholesky;
     cholesky.analyse(model.sparsity(), model.is_fixed(), {});
     cholesky.factorise(model.stiffness());
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(uniform_tension)
           BOOST_TEST(difference.linfty_norm() < 1e-13);
 
           const StressRecovery<2> recovery(*model.parts()[0].body);
-          const auto              fields = recovery.fields(u);
+          const auto              fields = recovery.fields(u, {});
           const double            zz     = thin ? 0. : nu * p;
           const double            mises  = std::sqrt(p * p + zz * zz - p * zz);
           for (unsigned int n = 0; n < fields.at("stress_xx").size(); ++n)
@@ -173,8 +173,9 @@ BOOST_AUTO_TEST_CASE(resultants)
                             " set Point force = 3, 1: 11 ; 13\n"
                             " set Angular velocity = 2\nend\n",
                     Formulation::plane_strain);
-  const Vector<double> &F = model.external_force(1.);
-  double                x = 0., y = 0.;
+  const Vector<double> &F =
+    model.external_force(1., Vector<double>(model.n_dofs()));
+  double x = 0., y = 0.;
   for (const auto &node : model.parts()[0].body->nodes())
     {
       x += F[node.dofs[0]];
@@ -198,11 +199,13 @@ BOOST_AUTO_TEST_CASE(axisymmetric_centrifugal_load)
     static_model<2>(block +
                       "subsection Loads\n set Angular velocity = 3\nend\n",
                     Formulation::axisymmetric);
+  const Vector<double> &force =
+    model.external_force(0., Vector<double>(model.n_dofs()));
   double radial = 0., axial = 0.;
   for (const auto &node : model.parts()[0].body->nodes())
     {
-      radial += model.external_force(0.)[node.dofs[0]];
-      axial += model.external_force(0.)[node.dofs[1]];
+      radial += force[node.dofs[0]];
+      axial += force[node.dofs[1]];
     }
   // int rho w^2 r 2 pi r dr dz, r = 1..3, z = 0..1
   const double truth = 7800. * 9. * 2. * numbers::PI * 26. / 3.;
@@ -238,6 +241,50 @@ BOOST_AUTO_TEST_CASE(lumped_mass)
                  1e-12);
       BOOST_TEST(total <= 2. * 7800. * 2. * (1. + 1e-12));
     }
+}
+
+// With finite strains pressure and centrifugal load follow the body: turned by
+// 90 degrees about the origin, made twice as long and moved by (0.5, 0).
+BOOST_AUTO_TEST_CASE(loads_follow_large_motions)
+{
+  const auto turned = [](const Point<2> &point, const unsigned int c) {
+    return c == 0 ? -point[1] - point[0] + 0.5 : 2. * point[0] - point[1];
+  };
+  const std::string loads = "set Thickness = 0.5\nsubsection Loads\n"
+                            " set Pressure = right: 4 | top: 3\n"
+                            " set Angular velocity = 2\nend\n";
+  auto              model = test_model<2>(block + loads,
+                             Formulation::plane_strain,
+                             Kinematics::finite_strain);
+  model.assemble({false, false, ContactMass::consistent, {}});
+  const Vector<double>  u = interpolate(model, turned);
+  const Vector<double> &F = model.external_force(1., u);
+  double                x = 0., y = 0.;
+  for (const auto &node : model.parts()[0].body->nodes())
+    {
+      x += F[node.dofs[0]];
+      y += F[node.dofs[1]];
+    }
+  // The right side looks up now and is as long as before; the top looks to the
+  // left and is 4 m long. The centre of the mass is at (0, 4).
+  const double mass = 7800. * 2. * 0.5;
+  BOOST_TEST(std::abs(x - 0.5 * 3. * 4.) < 1e-11 * mass);
+  BOOST_TEST(relative(y, -0.5 * 4. * 1. + mass * 4. * 4.) < 1e-13);
+
+  // Around an axis the area grows with the radius as well.
+  auto ring = test_model<2>(block + "subsection Loads\n"
+                                    " set Pressure = left: 4\nend\n",
+                            Formulation::axisymmetric,
+                            Kinematics::finite_strain);
+  ring.assemble({false, false, ContactMass::consistent, {}});
+  const Vector<double> wide =
+    interpolate(ring, [](const Point<2> &, const unsigned int c) {
+      return c == 0 ? 0.5 : 0.;
+    });
+  double radial = 0.;
+  for (const auto &node : ring.parts()[0].body->nodes())
+    radial += ring.external_force(1., wide)[node.dofs[0]];
+  BOOST_TEST(relative(radial, 4. * 2. * numbers::PI * 1.5) < 1e-13);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

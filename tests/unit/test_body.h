@@ -16,15 +16,16 @@ namespace Signorini
   test_part(const std::string &name,
             const std::string &section,
             const Formulation  formulation,
-            const unsigned int first_dof)
+            const unsigned int first_dof,
+            const Kinematics   kinematics = Kinematics::small_strain)
   {
     dealii::ParameterHandler prm;
     Body<dim>::declare_parameters({}, prm);
     Loads<dim>::declare_parameters(prm);
     Supports<dim>::declare_parameters(prm);
     prm.parse_input_from_string(section);
-    auto body =
-      std::make_unique<Body<dim>>(name, formulation, "", first_dof, prm);
+    auto body = std::make_unique<Body<dim>>(
+      name, formulation, kinematics, "", first_dof, prm);
     Loads<dim>    loads(*body, {}, prm);
     Supports<dim> supports(*body, {}, prm);
     return {std::move(body), std::move(loads), std::move(supports)};
@@ -50,10 +51,12 @@ namespace Signorini
   /** A model of one body "b", from the text of its section in a .prm. */
   template <int dim>
   SolidModel<dim>
-  test_model(const std::string &section, const Formulation formulation)
+  test_model(const std::string &section,
+             const Formulation  formulation,
+             const Kinematics   kinematics = Kinematics::small_strain)
   {
     std::vector<typename SolidModel<dim>::Part> parts;
-    parts.push_back(test_part<dim>("b", section, formulation, 0));
+    parts.push_back(test_part<dim>("b", section, formulation, 0, kinematics));
     return SolidModel<dim>(std::move(parts));
   }
 
