@@ -190,9 +190,18 @@ namespace Signorini
     for (unsigned int i = 0; i < residual.size(); ++i)
       if (!solid_.is_fixed()[i])
         largest = std::max(largest, std::abs(residual[i]));
-    if (largest == 0.)
-      return 0.;
+    return largest == 0. ? 0. :
+                           largest / force_scale(state, step_size, multipliers);
+  }
 
+
+
+  template <int dim>
+  double
+  TimeStep<dim>::force_scale(const State           &state,
+                             const double           step_size,
+                             const InterfaceForces &multipliers) const
+  {
     // A body in free flight has no forces but rounding, which is in proportion
     // to the forces that would hold back its displacement.
     const double held_back =
@@ -204,7 +213,7 @@ namespace Signorini
                              1e-5 * held_back});
     for (const double multiplier : multipliers.normal)
       scale = std::max(scale, multiplier);
-    return largest / scale;
+    return scale;
   }
 
 
@@ -227,6 +236,10 @@ namespace Signorini
                          Vector<double>,
                          const std::vector<ContactPoint<2>> &,
                          const InterfaceForces &) const;
+  template double
+  TimeStep<2>::force_scale(const State &,
+                           const double,
+                           const InterfaceForces &) const;
   template typename EffectiveSystem<3>::Factors
   TimeStep<3>::effective_factors(const double) const;
   template void
@@ -245,4 +258,8 @@ namespace Signorini
                          Vector<double>,
                          const std::vector<ContactPoint<3>> &,
                          const InterfaceForces &) const;
+  template double
+  TimeStep<3>::force_scale(const State &,
+                           const double,
+                           const InterfaceForces &) const;
 } // namespace Signorini

@@ -64,11 +64,13 @@ namespace Signorini
       return largest;
     }
 
+    // Relative to the largest contact force, or to @p smallest if that is more.
     double
     relative_change(const InterfaceForces &old_forces,
-                    const InterfaceForces &new_forces)
+                    const InterfaceForces &new_forces,
+                    const double           smallest)
     {
-      double change = 0., largest = 0.;
+      double change = 0., largest = smallest;
       for (unsigned int k = 0; k < new_forces.normal.size(); ++k)
         {
           const double before = old_forces.normal[k];
@@ -330,8 +332,14 @@ namespace Signorini
             contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
         respond(old_state, step_size, state);
+        // Of a touch without pressure forces are rounding, and never settle.
+        const double negligible =
+          settings_.time.residual_tolerance *
+          force_scale(state, step_size, correction.multipliers);
         const double change =
-          relative_change(iterate.multipliers, correction.multipliers);
+          relative_change(iterate.multipliers,
+                          correction.multipliers,
+                          negligible / settings_.force_tolerance);
         return {std::move(correction.multipliers),
                 std::move(correction.is_slipping),
                 iterate.coefficients,

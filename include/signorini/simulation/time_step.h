@@ -124,6 +124,12 @@ namespace Signorini
               const std::vector<ContactPoint<dim>> &points,
               const InterfaceForces                &multipliers) const;
 
+    // The largest force, or what counts as one, N.
+    double
+    force_scale(const State           &state,
+                const double           step_size,
+                const InterfaceForces &multipliers) const;
+
     bool
     is_solved(const State                          &state,
               const std::vector<ContactPoint<dim>> &points,
