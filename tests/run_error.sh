@@ -45,7 +45,8 @@ if [ -n "$first" ]; then
   eval "\"$program\" \"$prm\" --threads 1 --output-directory \"$scratch\" $first" >"$scratch.log" 2>&1 ||
     fail "the first run failed: $(<"$scratch.log")"
   rm -f "$scratch.log"
-  (cd "$results" && eval "$(header spoil)")
+  spoil=$(header spoil)
+  (cd "$results" && eval "$spoil")
   options+=(--resume)
   before=$(contents)
 fi
