@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cell_dofs.h"
 #include "cell_response.h"
 
 namespace Signorini
@@ -16,18 +17,6 @@ namespace Signorini
 
   namespace
   {
-    // Component by component of each node, whatever the element's own order.
-    template <int dim>
-    std::vector<unsigned int>
-    node_by_node(const FESystem<dim> &fe)
-    {
-      std::vector<unsigned int> order;
-      for (unsigned int a = 0; a < fe.n_dofs_per_cell() / dim; ++a)
-        for (unsigned int c = 0; c < dim; ++c)
-          order.push_back(fe.component_to_system_index(c, a));
-      return order;
-    }
-
     template <int dim>
     struct ScratchData
     {
@@ -36,8 +25,7 @@ namespace Signorini
                  body.scalar_fe(),
                  QGauss<dim>(body.scalar_fe().degree + 1),
                  flags)
-        , order(node_by_node(body.fe()))
-        , indices(body.fe().n_dofs_per_cell())
+        , dofs(body)
       {}
 
       ScratchData(const ScratchData &other)
@@ -45,29 +33,29 @@ namespace Signorini
                  other.values.get_fe(),
                  other.values.get_quadrature(),
                  other.values.get_update_flags())
-        , order(other.order)
-        , indices(other.indices)
+        , dofs(other.dofs)
       {}
 
-      FEValues<dim>                        values;
-      std::vector<unsigned int>            order;
-      std::vector<types::global_dof_index> indices;
+      void
+      visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        values.reinit(
+          static_cast<typename Triangulation<dim>::cell_iterator>(cell));
+        dofs.reinit(cell);
+      }
+
+      FEValues<dim> values;
+      CellDofs<dim> dofs;
     };
 
-    // Prepares both for a cell: shape functions, and the global unknowns
-    // counted node by node.
     template <int dim>
-    void
-    visit(const Body<dim>                                      &body,
-          const typename DoFHandler<dim>::active_cell_iterator &cell,
-          ScratchData<dim>                                     &scratch,
-          std::vector<types::global_dof_index>                 &dofs)
+    unsigned int
+    n_values_at_a_point(const Body<dim> &body)
     {
-      scratch.values.reinit(
-        static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-      cell->get_dof_indices(scratch.indices);
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        dofs[i] = body.first_dof() + scratch.indices[scratch.order[i]];
+      unsigned int n = 0;
+      for (const Material *const material : body.materials())
+        n = std::max(n, n_history_values(body.formulation(), *material));
+      return n;
     }
 
     template <int dim, int n_strains>
@@ -77,12 +65,50 @@ namespace Signorini
         : ScratchData<dim>(body,
                            update_values | update_gradients |
                              update_quadrature_points | update_JxW_values)
+        , body(body)
         , cell(body, this->values.n_quadrature_points)
         , displacement(body.fe().n_dofs_per_cell())
+        , n_point_values(n_values_at_a_point(body))
+        , n_cell_values(n_point_values * this->values.n_quadrature_points)
       {}
 
+      /** Where the histories of the points of a cell begin. */
+      unsigned int
+      first_value(
+        const typename DoFHandler<dim>::active_cell_iterator &visited) const
+      {
+        return visited->active_cell_index() * n_cell_values;
+      }
+
+      /** @param constant answer of a linear law, or null. */
+      void
+      evaluate(const typename DoFHandler<dim>::active_cell_iterator &visited,
+               const Vector<double> &values_of_all,
+               const PointResponse  *constant,
+               const double          step_size,
+               const double         *history_n,
+               double               *history,
+               const bool            with_stiffness)
+      {
+        this->visit(visited);
+        for (unsigned int i = 0; i < displacement.size(); ++i)
+          displacement[i] = values_of_all[this->dofs.all()[i]];
+        cell.evaluate(this->values,
+                      displacement,
+                      {&body.material(visited->material_id()),
+                       constant,
+                       step_size,
+                       ArrayView<const double>(history_n, n_cell_values),
+                       ArrayView<double>(history, n_cell_values),
+                       n_point_values},
+                      with_stiffness);
+      }
+
+      const Body<dim>             &body;
       CellResponse<dim, n_strains> cell;
       std::vector<double>          displacement;
+      const unsigned int           n_point_values;
+      const unsigned int           n_cell_values;
     };
 
     struct ResponseCopy
@@ -135,16 +161,6 @@ namespace Signorini
              body.has_mean_dilatation();
     }
 
-    template <int dim>
-    unsigned int
-    n_values_at_a_point(const Body<dim> &body)
-    {
-      unsigned int n = 0;
-      for (const Material *const material : body.materials())
-        n = std::max(n, n_history_values(body.formulation(), *material));
-      return n;
-    }
-
     template <int dim, int n_strains>
     void
     add_response(const Body<dim>                 &body,
@@ -157,47 +173,32 @@ namespace Signorini
                  SparseMatrix<double>            *stiffness,
                  const double                     factor)
     {
-      using Scratch               = ResponseScratch<dim, n_strains>;
-      using Cell                  = CellResponse<dim, n_strains>;
-      const auto         constant = constant_responses(body);
-      const unsigned int n_values = n_values_at_a_point(body);
-      std::string        failure;
+      using Scratch        = ResponseScratch<dim, n_strains>;
+      const auto  constant = constant_responses(body);
+      std::string failure;
 
       const auto worker = [&](const auto   &cell,
                               Scratch      &scratch,
                               ResponseCopy &copy) {
-        visit<dim>(body, cell, scratch, copy.dofs);
-        for (unsigned int i = 0; i < copy.dofs.size(); ++i)
-          scratch.displacement[i] = displacement[copy.dofs[i]];
-        const Material      &material = body.material(cell->material_id());
-        const auto           known    = constant.find(&material);
-        const unsigned int   n = n_values * scratch.values.n_quadrature_points;
-        const unsigned int   first = cell->active_cell_index() * n;
-        typename Cell::Point point{&material,
-                                   known == constant.end() ? nullptr :
-                                                             &known->second,
-                                   step_size,
-                                   {},
-                                   {},
-                                   n_values};
-        if (n > 0)
-          {
-            point.history_n.reinit(history_n.data() + first, n);
-            point.history.reinit(history.data() + first, n);
-          }
+        const auto known = constant.find(&body.material(cell->material_id()));
+        const unsigned int first = scratch.first_value(cell);
         copy.failure.clear();
         try
           {
-            scratch.cell.evaluate(scratch.values,
-                                  scratch.displacement,
-                                  point,
-                                  stiffness != nullptr);
+            scratch.evaluate(cell,
+                             displacement,
+                             known == constant.end() ? nullptr : &known->second,
+                             step_size,
+                             history_n.data() + first,
+                             history.data() + first,
+                             stiffness != nullptr);
           }
         catch (const MaterialFailure &error)
           {
             copy.failure = failure_in_words(body, cell->center(), error.what());
             return;
           }
+        copy.dofs      = scratch.dofs.all();
         copy.stiffness = scratch.cell.stiffness;
         copy.stiffness *= factor;
         copy.force         = scratch.cell.force;
@@ -242,36 +243,23 @@ namespace Signorini
       // So fast that no law that depends on the rate flows meanwhile.
       constexpr double at_once = 1e-300;
 
-      ResponseScratch<dim, n_strains>      scratch(body);
-      std::vector<types::global_dof_index> dofs(body.fe().n_dofs_per_cell());
-      const unsigned int  n_points = scratch.values.n_quadrature_points;
-      const unsigned int  n_values = n_values_at_a_point(body);
-      std::vector<double> unused(n_points * n_values);
-      PointValues         result;
+      ResponseScratch<dim, n_strains> scratch(body);
+      const unsigned int              n = scratch.n_point_values;
+      std::vector<double>             unused(scratch.n_cell_values);
+      PointValues                     result;
       for (const auto &cell : body.dof_handler().active_cell_iterators())
         {
-          visit<dim>(body, cell, scratch, dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            scratch.displacement[i] = displacement[dofs[i]];
-          const Material     &material = body.material(cell->material_id());
           const double *const first =
-            history.data() + cell->active_cell_index() * unused.size();
-          scratch.cell.evaluate(scratch.values,
-                                scratch.displacement,
-                                {&material,
-                                 nullptr,
-                                 at_once,
-                                 ArrayView<const double>(first, unused.size()),
-                                 ArrayView<double>(unused.data(),
-                                                   unused.size()),
-                                 n_values},
-                                false);
-          for (unsigned int q = 0; q < n_points; ++q)
+            history.data() + scratch.first_value(cell);
+          scratch.evaluate(
+            cell, displacement, nullptr, at_once, first, unused.data(), false);
+          for (unsigned int q = 0; q < scratch.values.n_quadrature_points; ++q)
             {
               result.stresses.push_back(scratch.cell.stresses[q]);
               result.plastic_strains.push_back(
-                material.equivalent_plastic_strain(
-                  ArrayView<const double>(first + q * n_values, n_values)));
+                body.material(cell->material_id())
+                  .equivalent_plastic_strain(
+                    ArrayView<const double>(first + q * n, n)));
             }
         }
       return result;
@@ -389,7 +377,8 @@ namespace Signorini
       body.dof_handler().begin_active(),
       body.dof_handler().end(),
       [&](const auto &cell, ScratchData<dim> &scratch, MassCopy &copy) {
-        visit<dim>(body, cell, scratch, copy.dofs);
+        scratch.visit(cell);
+        copy.dofs = scratch.dofs.all();
         cell_mass(body,
                   body.material(cell->material_id()).density(),
                   lump,

@@ -36,35 +36,49 @@ namespace Signorini
       return first + 0.5 * (first * first - trace(H * H)) + determinant(H);
     }
 
-    // Stress between the coordinates of the body.
+    // A stress as a tensor: between the coordinates of the body, and across the
+    // plane or around the axis. In three dimensions there is nothing across.
     template <int dim, int n_strains>
-    Tensor<2, dim>
-    plane_stress_tensor(const ReducedStress &stress)
+    struct SpatialStress
     {
-      Tensor<2, dim> result;
-      if constexpr (dim == 2)
-        {
-          result[0][0] = stress[0];
-          result[1][1] = stress[1];
-          result[0][1] = result[1][0] = stress[2];
-        }
-      else
-        {
-          for (unsigned int i = 0; i < 3; ++i)
-            result[i][i] = stress[i];
-          result[0][1] = result[1][0] = stress[3];
-          result[1][2] = result[2][1] = stress[4];
-          result[0][2] = result[2][0] = stress[5];
-        }
-      return result;
-    }
+      explicit SpatialStress(const ReducedStress &reduced)
+        : across(dim == 2 && n_strains == 4 ? reduced[3] : 0.)
+      {
+        constexpr unsigned int n_shear     = dim == 2 ? 1 : 3;
+        constexpr unsigned int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+        for (unsigned int i = 0; i < dim; ++i)
+          between[i][i] = reduced[i];
+        for (unsigned int k = 0; k < n_shear; ++k)
+          between[pairs[k][0]][pairs[k][1]] =
+            between[pairs[k][1]][pairs[k][0]] = reduced[dim + k];
+      }
 
-    // Across the plane; in three dimensions there is nothing across.
-    template <int dim, int n_strains>
+      // grad v : stress of the shape function with this gradient, for each
+      // component of v.
+      Tensor<1, dim>
+      power(const Tensor<1, dim> &gradient, const double over_r) const
+      {
+        Tensor<1, dim> result = between * gradient;
+        result[0] += across * over_r;
+        return result;
+      }
+
+      Tensor<2, dim> between;
+      double         across;
+    };
+
+    // tr(grad v grad w) of the component i of one shape function and j of
+    // another.
+    template <int dim>
     double
-    thickness_stress(const ReducedStress &stress)
+    trace_of_product(const Tensor<1, dim> &g_a,
+                     const double          over_r_a,
+                     const unsigned int    i,
+                     const Tensor<1, dim> &g_b,
+                     const double          over_r_b,
+                     const unsigned int    j)
     {
-      return dim == 2 && n_strains == 4 ? stress[3] : 0.;
+      return g_a[j] * g_b[i] + (i == 0 && j == 0 ? over_r_a * over_r_b : 0.);
     }
   } // namespace
 
@@ -317,21 +331,19 @@ namespace Signorini
     const PointResponse &response)
   {
     // grad N_a . stress grad N_b, for each component; and the hoop's share.
-    const Tensor<2, dim> stress =
-      plane_stress_tensor<dim, n_strains>(response.stress);
-    const double hoop_stress =
-      thickness_stress<dim, n_strains>(response.stress);
-    const auto &g = kinematics.shape_gradients;
+    const SpatialStress<dim, n_strains> stress(response.stress);
+    const auto                         &g = kinematics.shape_gradients;
     for (unsigned int b = 0; b < g.size(); ++b)
       {
-        const Tensor<1, dim> traction = kinematics.volume * (stress * g[b]);
+        const Tensor<1, dim> traction =
+          kinematics.volume * (stress.between * g[b]);
         for (unsigned int a = b; a < g.size(); ++a)
           {
             const double entry = g[a] * traction;
             for (unsigned int c = 0; c < dim; ++c)
               stiffness(a * dim + c, b * dim + c) += entry;
             if (is_axisymmetric_)
-              stiffness(a * dim, b * dim) += kinematics.volume * hoop_stress *
+              stiffness(a * dim, b * dim) += kinematics.volume * stress.across *
                                              kinematics.over_r[a] *
                                              kinematics.over_r[b];
           }
@@ -349,11 +361,8 @@ namespace Signorini
     // With l = grad du, L = grad Du, alpha = (mean div - div)/3 of du, beta
     // that of Du, p = tr(stress)/3:
     //   2 alpha stress:L + 2 beta stress:l + 6 alpha beta p + p tr(l L).
-    const Tensor<2, dim> stress =
-      plane_stress_tensor<dim, n_strains>(response.stress);
-    const double hoop_stress =
-      thickness_stress<dim, n_strains>(response.stress);
-    const double p = (trace(stress) + hoop_stress) / 3.;
+    const SpatialStress<dim, n_strains> stress(response.stress);
+    const double p = (trace(stress.between) + stress.across) / 3.;
     mean_pressure_ += kinematics.volume * p;
 
     const auto &g      = kinematics.shape_gradients;
@@ -363,18 +372,15 @@ namespace Signorini
     };
     for (unsigned int b = 0; b < g.size(); ++b)
       {
-        Tensor<1, dim> power_b = stress * g[b];
-        power_b[0] += hoop_stress * over_r[b];
+        const Tensor<1, dim> power_b = stress.power(g[b], over_r[b]);
         for (unsigned int a = b; a < g.size(); ++a)
           {
-            Tensor<1, dim> power_a = stress * g[a];
-            power_a[0] += hoop_stress * over_r[a];
+            const Tensor<1, dim> power_a = stress.power(g[a], over_r[a]);
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int j = 0; j < dim; ++j)
                 {
-                  double product = g[a][j] * g[b][i];
-                  if (i == 0 && j == 0)
-                    product += over_r[a] * over_r[b];
+                  const double product =
+                    trace_of_product(g[a], over_r[a], i, g[b], over_r[b], j);
                   stiffness(a * dim + i, b * dim + j) +=
                     kinematics.volume *
                     (2. * alpha(a, i) * power_b[j] +
@@ -404,9 +410,8 @@ namespace Signorini
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int j = 0; j < dim; ++j)
                 {
-                  double product = g[a][j] * g[b][i];
-                  if (i == 0 && j == 0)
-                    product += over_r[a] * over_r[b];
+                  const double product =
+                    trace_of_product(g[a], over_r[a], i, g[b], over_r[b], j);
                   stiffness(a * dim + i, b * dim + j) +=
                     weight * (divergence(kinematics, a, i) *
                                 divergence(kinematics, b, j) -

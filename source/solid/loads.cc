@@ -7,7 +7,8 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <array>
+
+#include "cell_dofs.h"
 
 namespace Signorini
 {
@@ -22,61 +23,12 @@ namespace Signorini
       return "Body " + body.name() + " / Loads / ";
     }
 
-    // The unknowns at the nodes of a cell.
-    template <int dim>
-    class CellDofs
-    {
-    public:
-      explicit CellDofs(const Body<dim> &body)
-        : body(body)
-        , indices(body.fe().n_dofs_per_cell())
-        , dofs(body.scalar_fe().n_dofs_per_cell())
-      {
-        for (unsigned int a = 0; a < dofs.size(); ++a)
-          for (unsigned int c = 0; c < dim; ++c)
-            order.push_back(body.fe().component_to_system_index(c, a));
-      }
-
-      void
-      reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
-      {
-        cell->get_dof_indices(indices);
-        for (unsigned int a = 0; a < dofs.size(); ++a)
-          for (unsigned int c = 0; c < dim; ++c)
-            dofs[a][c] = body.first_dof() + indices[order[a * dim + c]];
-      }
-
-      Tensor<1, dim>
-      at_node(const unsigned int a, const Vector<double> &values) const
-      {
-        Tensor<1, dim> result;
-        for (unsigned int c = 0; c < dim; ++c)
-          result[c] = values[dofs[a][c]];
-        return result;
-      }
-
-      void
-      add(const unsigned int    a,
-          const Tensor<1, dim> &force,
-          Vector<double>       &forces) const
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          forces[dofs[a][c]] += force[c];
-      }
-
-      const Body<dim> &body;
-
-    private:
-      std::vector<types::global_dof_index>       indices;
-      std::vector<std::array<unsigned int, dim>> dofs;
-      std::vector<unsigned int>                  order;
-    };
-
     // J F^-T n: the normal times the present area over that at first. The
     // hoop's stretch counts, a change of thickness does not.
     template <int dim>
     Tensor<1, dim>
-    deformed_area(const FEFaceValues<dim> &values,
+    deformed_area(const Formulation        formulation,
+                  const FEFaceValues<dim> &values,
                   const unsigned int       q,
                   const CellDofs<dim>     &dofs,
                   const Vector<double>    &displacement)
@@ -93,7 +45,7 @@ namespace Signorini
         }
       const double radius = values.quadrature_point(q)[0];
       const double around =
-        dofs.body.formulation() == Formulation::axisymmetric && radius > 0. ?
+        formulation == Formulation::axisymmetric && radius > 0. ?
           1. + u[0] / radius :
           1.;
       return around * determinant(F) * transpose(invert(F)) *
@@ -437,7 +389,8 @@ namespace Signorini
                 const Point<dim> &point  = values.quadrature_point(q);
                 Tensor<1, dim>    normal = values.normal_vector(q);
                 if (displacement)
-                  normal = deformed_area(values, q, dofs, *displacement);
+                  normal = deformed_area(
+                    body_->formulation(), values, q, dofs, *displacement);
                 const Tensor<1, dim> traction =
                   load.is_pressure ? -load.value.value(point, time) * normal :
                                      load.value.vector_value(point, time);
