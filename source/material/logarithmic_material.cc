@@ -73,8 +73,7 @@ namespace Signorini
 
   LogarithmicMaterial::LogarithmicMaterial(std::unique_ptr<const StrainLaw> law,
                                            const double density)
-    : Material(Kinematics::finite_strain, density)
-    , law_(std::move(law))
+    : StrainLawMaterial(std::move(law), Kinematics::finite_strain, density, 9)
   {}
 
 
@@ -87,7 +86,7 @@ namespace Signorini
   {
     const Trial begin = trial(displacement_gradient, history_n);
     return finish(begin,
-                  law_->respond(begin.strain, step_size, begin.state),
+                  law().respond(begin.strain, step_size, begin.state),
                   history_n,
                   history);
   }
@@ -107,7 +106,7 @@ namespace Signorini
     Assert(begin.frame.is_planar,
            ExcMessage("A sheet has no shear across it."));
     const StrainResponse response = Signorini::respond_in_plane_stress(
-      *law_, begin.strain, step_size, begin.state);
+      law(), begin.strain, step_size, begin.state);
 
     const double strain       = begin.strain[2][2];
     begin.frame.log_strain[2] = strain;
@@ -128,17 +127,16 @@ namespace Signorini
     volume_ratio_minus_one(displacement_gradient); // refuses what is inverted
     Trial        result;
     Tensor<2, 3> elastic = displacement_gradient; // F_e,trial - 1
-    if (law_->is_plastic())
+    if (law().is_plastic())
       {
-        result.plastic =
-          read_plastic(history_n, PlasticHistory::n_state_values(*law_));
+        result.plastic = read_plastic(history_n, n_state_values());
         elastic += result.plastic + displacement_gradient * result.plastic;
       }
     result.frame = PrincipalFrame::of(elastic);
     for (unsigned int a = 0; a < 3; ++a)
       result.strain[a][a] = result.frame.log_strain[a];
-    result.state = PlasticHistory::read_state(*law_, history_n);
-    if (law_->has_back_stress())
+    result.state = PlasticHistory::read_state(law(), history_n);
+    if (law().has_back_stress())
       result.state.back_stress =
         into_axes(result.state.back_stress, result.frame.material_axes);
     return result;
@@ -161,31 +159,14 @@ namespace Signorini
           transpose(axes);
         write_plastic(trial.plastic + update + trial.plastic * update,
                       history,
-                      PlasticHistory::n_state_values(*law_));
+                      n_state_values());
         PlasticState state = response.state;
-        if (law_->has_back_stress())
+        if (law().has_back_stress())
           state.back_stress = into_axes(state.back_stress, transpose(axes));
-        PlasticHistory::write_state(*law_, state, history);
+        PlasticHistory::write_state(law(), state, history);
       }
     else // the old one, to the digit
       std::copy_n(history_n.begin(), n_history_values(), history.begin());
     return push_forward(frame, response);
-  }
-
-
-
-  unsigned int
-  LogarithmicMaterial::n_history_values() const
-  {
-    return PlasticHistory::n_state_values(*law_) + (law_->is_plastic() ? 9 : 0);
-  }
-
-
-
-  double
-  LogarithmicMaterial::equivalent_plastic_strain(
-    const ArrayView<const double> history) const
-  {
-    return PlasticHistory::equivalent_plastic_strain(*law_, history);
   }
 } // namespace Signorini

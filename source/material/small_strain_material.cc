@@ -36,8 +36,7 @@ namespace Signorini
 
   SmallStrainMaterial::SmallStrainMaterial(std::unique_ptr<const StrainLaw> law,
                                            const double density)
-    : Material(Kinematics::small_strain, density)
-    , law_(std::move(law))
+    : StrainLawMaterial(std::move(law), Kinematics::small_strain, density, 6)
   {}
 
 
@@ -50,9 +49,9 @@ namespace Signorini
   {
     const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
     return finish(plastic,
-                  law_->respond(symmetrize(displacement_gradient) - plastic,
+                  law().respond(symmetrize(displacement_gradient) - plastic,
                                 step_size,
-                                PlasticHistory::read_state(*law_, history_n)),
+                                PlasticHistory::read_state(law(), history_n)),
                   history);
   }
 
@@ -68,7 +67,7 @@ namespace Signorini
     const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
     SymmetricTensor<2, 3> strain = symmetrize(displacement_gradient) - plastic;
     const StrainResponse  response = Signorini::respond_in_plane_stress(
-      *law_, strain, step_size, PlasticHistory::read_state(*law_, history_n));
+      law(), strain, step_size, PlasticHistory::read_state(law(), history_n));
     displacement_gradient[2][2] = strain[2][2] + plastic[2][2];
     return finish(plastic, response, history);
   }
@@ -79,9 +78,8 @@ namespace Signorini
   SmallStrainMaterial::plastic_strain(
     const ArrayView<const double> history) const
   {
-    return law_->is_plastic() ?
-             PlasticHistory::read_symmetric(
-               history, PlasticHistory::n_state_values(*law_)) :
+    return law().is_plastic() ?
+             PlasticHistory::read_symmetric(history, n_state_values()) :
              SymmetricTensor<2, 3>();
   }
 
@@ -92,32 +90,15 @@ namespace Signorini
                               const StrainResponse        &response,
                               const ArrayView<double>      history) const
   {
-    PlasticHistory::write_state(*law_, response.state, history);
-    if (law_->is_plastic())
+    PlasticHistory::write_state(law(), response.state, history);
+    if (law().is_plastic())
       PlasticHistory::write_symmetric(plastic_strain_n +
                                         response.plastic_increment,
                                       history,
-                                      PlasticHistory::n_state_values(*law_));
+                                      n_state_values());
     return {response.stress,
             tangent(response),
             response.energy_density,
             response.state.plastic_work_density};
-  }
-
-
-
-  unsigned int
-  SmallStrainMaterial::n_history_values() const
-  {
-    return PlasticHistory::n_state_values(*law_) + (law_->is_plastic() ? 6 : 0);
-  }
-
-
-
-  double
-  SmallStrainMaterial::equivalent_plastic_strain(
-    const ArrayView<const double> history) const
-  {
-    return PlasticHistory::equivalent_plastic_strain(*law_, history);
   }
 } // namespace Signorini

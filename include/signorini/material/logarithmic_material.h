@@ -1,9 +1,8 @@
 #ifndef signorini_material_logarithmic_material_h
 #define signorini_material_logarithmic_material_h
 
-#include <signorini/material/material.h>
 #include <signorini/material/principal_frame.h>
-#include <signorini/material/strain_law.h>
+#include <signorini/material/strain_law_material.h>
 
 namespace Signorini
 {
@@ -36,13 +35,13 @@ namespace Signorini
    *   dE_ab = Delta/sinh(Delta) d_ab,
    *   (dR R^T)_ab = w_ab - tanh(Delta/2) d_ab.
    *
-   * History: the state of the law, and F_p^-1 - 1 by rows.
+   * The plastic deformation in the history is F_p^-1 - 1, by rows.
    *
    * [Eterovic, Bathe, IJNME 30, 1990; Simo, CMAME 99, 1992; de Souza Neto,
    * Peric, Owen: Computational methods for plasticity, chapter 14; Hill's
    * principal axes for the rates]
    */
-  class LogarithmicMaterial : public Material
+  class LogarithmicMaterial : public StrainLawMaterial
   {
   public:
     LogarithmicMaterial(std::unique_ptr<const StrainLaw> law,
@@ -60,25 +59,6 @@ namespace Signorini
       const double                          step_size,
       const dealii::ArrayView<const double> history_n,
       const dealii::ArrayView<double>       history) const override;
-
-    unsigned int
-    n_history_values() const override;
-
-    bool
-    is_linear() const override
-    {
-      return false;
-    }
-
-    bool
-    flows() const override
-    {
-      return law_->is_plastic();
-    }
-
-    double
-    equivalent_plastic_strain(
-      const dealii::ArrayView<const double> history) const override;
 
   private:
     // What a step begins with.
@@ -99,8 +79,6 @@ namespace Signorini
            const StrainResponse                 &response,
            const dealii::ArrayView<const double> history_n,
            const dealii::ArrayView<double>       history) const;
-
-    std::unique_ptr<const StrainLaw> law_;
   };
 } // namespace Signorini
 
