@@ -68,8 +68,7 @@ namespace Signorini
 
   template <int dim>
   FieldWriter<dim>::FieldWriter(const std::string &folder)
-    : folder(folder)
-    , pvd_file(folder + "/results.pvd")
+    : collection_(folder + "/results.pvd")
   {}
 
 
@@ -82,27 +81,11 @@ namespace Signorini
     std::vector<std::string> parts;
     for (const BodyFields<dim> &body : bodies)
       parts.push_back(body.name);
-    const std::vector<std::string> names = file_names_of_parts(parts);
-
-    std::vector<PvdFile::Entry> entries;
-    for (unsigned int i = 0; i < bodies.size(); ++i)
-      {
-        const std::string vtu_file = vtu_file_name(names[i], number);
-        write_result_file(folder + "/" + vtu_file,
-                          vtu_text(bodies[i], time, number));
-        entries.push_back({time, parts[i], vtu_file});
-      }
-    pvd_file.add(entries);
-    ++number;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  FieldWriter<dim>::n_outputs() const
-  {
-    return number;
+    collection_.write(parts,
+                      time,
+                      [&](const unsigned int i, const unsigned int number) {
+                        return vtu_text(bodies[i], time, number);
+                      });
   }
 
 

@@ -119,30 +119,43 @@ namespace Signorini
 
 
   void
-  PvdFile::add(const std::vector<Entry> &new_entries)
+  PvdFile::write(const std::vector<std::string> &parts,
+                 const double                    time,
+                 const VtuText                  &vtu_text)
   {
+    const std::vector<std::string> names = file_names_of_parts(parts);
+    const auto         folder = std::filesystem::path(file_name).parent_path();
+    std::vector<Entry> new_entries;
+    for (unsigned int i = 0; i < parts.size(); ++i)
+      {
+        const std::string vtu_file = vtu_file_name(names[i], number);
+        write_result_file(folder / vtu_file, vtu_text(i, number));
+        new_entries.push_back({time, parts[i], vtu_file});
+      }
     for (const Entry &entry : new_entries)
       {
         entries.push_back(entry);
-        if (std::find(parts.begin(), parts.end(), entry.part) == parts.end())
-          parts.push_back(entry.part);
+        if (std::find(known_parts.begin(), known_parts.end(), entry.part) ==
+            known_parts.end())
+          known_parts.push_back(entry.part);
       }
-    write();
+    ++number;
+    write_list();
   }
 
 
 
   void
-  PvdFile::cut_back(const unsigned int n_outputs) const
+  PvdFile::cut_back() const
   {
     const auto folder = std::filesystem::path(file_name).parent_path();
     if (!entries.empty())
-      write();
-    for (const std::string &name : file_names_of_parts(parts))
-      for (unsigned int number = n_outputs;; ++number)
+      write_list();
+    for (const std::string &name : file_names_of_parts(known_parts))
+      for (unsigned int beyond = number;; ++beyond)
         {
           std::error_code error;
-          if (!std::filesystem::remove(folder / vtu_file_name(name, number),
+          if (!std::filesystem::remove(folder / vtu_file_name(name, beyond),
                                        error))
             break;
         }
@@ -151,7 +164,7 @@ namespace Signorini
 
 
   void
-  PvdFile::write() const
+  PvdFile::write_list() const
   {
     std::string text = "<?xml version=\"1.0\"?>\n"
                        "<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -159,9 +172,10 @@ namespace Signorini
                        "  <Collection>\n";
     for (const Entry &entry : entries)
       {
-        const auto part = std::find(parts.begin(), parts.end(), entry.part);
+        const auto part =
+          std::find(known_parts.begin(), known_parts.end(), entry.part);
         text += "    <DataSet timestep=\"" + shortest_exact(entry.time) +
-                "\" part=\"" + std::to_string(part - parts.begin()) +
+                "\" part=\"" + std::to_string(part - known_parts.begin()) +
                 "\" name=\"" + escape_xml(entry.part) + "\" file=\"" +
                 escape_xml(entry.vtu_file) + "\"/>\n";
       }

@@ -112,8 +112,7 @@ namespace Signorini
 
   template <int dim>
   SurfaceWriter<dim>::SurfaceWriter(const std::string &folder)
-    : folder(folder)
-    , pvd_file(folder + "/contact.pvd")
+    : collection_(folder + "/contact.pvd")
   {}
 
 
@@ -126,27 +125,11 @@ namespace Signorini
     std::vector<std::string> parts;
     for (const SurfaceData<dim> &surface : surfaces)
       parts.push_back(surface.name);
-    const std::vector<std::string> names = file_names_of_parts(parts);
-
-    std::vector<PvdFile::Entry> entries;
-    for (unsigned int i = 0; i < surfaces.size(); ++i)
-      {
-        const std::string vtu_file = vtu_file_name(names[i], number);
-        write_result_file(folder + "/" + vtu_file,
-                          vtu_text(surfaces[i], time, number));
-        entries.push_back({time, parts[i], vtu_file});
-      }
-    pvd_file.add(entries);
-    ++number;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  SurfaceWriter<dim>::n_outputs() const
-  {
-    return number;
+    collection_.write(parts,
+                      time,
+                      [&](const unsigned int i, const unsigned int number) {
+                        return vtu_text(surfaces[i], time, number);
+                      });
   }
 
 

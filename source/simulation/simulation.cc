@@ -9,6 +9,7 @@
 
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace Signorini
 {
@@ -154,7 +155,8 @@ namespace Signorini
     boost::archive::binary_iarchive archive(stream);
     try
       {
-        archive >> record_ >> files.fields >> files.surfaces;
+        archive >> record_ >> files.fields.collection() >>
+          files.surfaces.collection();
       }
     catch (const boost::archive::archive_exception &error)
       {
@@ -169,8 +171,8 @@ namespace Signorini
     files.history =
       std::make_unique<HistoryWriter>(task.folder + "/history.csv",
                                       record_.history);
-    files.fields.cut_back();
-    files.surfaces.cut_back();
+    files.fields.collection().cut_back();
+    files.surfaces.collection().cut_back();
     log.line("resumed at t = " + shortest_exact(start_time_) + " s, step " +
              std::to_string(record_.state.step));
   }
@@ -249,7 +251,8 @@ namespace Signorini
     files.history->flush();
     std::ostringstream              stream;
     boost::archive::binary_oarchive archive(stream);
-    archive << record_ << files.fields << files.surfaces;
+    archive << record_ << std::as_const(files.fields).collection()
+            << std::as_const(files.surfaces).collection();
     try
       {
         write_checkpoint(task.folder,

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_collection_over_time)
   other.name                  = "a < b";
   writer.write({line(), other}, 0.);
   writer.write({line(), other}, 1e-6);
-  BOOST_TEST(writer.n_outputs() == 2u);
+  BOOST_TEST(writer.collection().n_outputs() == 2u);
   const std::string text = read_file(folder.file("contact.pvd"));
   for (const std::string part :
        {"timestep=\"0\" part=\"0\" name=\"beam.bottom on floor\" "

@@ -4,6 +4,7 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,39 +40,53 @@ namespace Signorini
 
     explicit PvdFile(const std::string &file_name);
 
-    /**
-     * Append entries and write the file.
-     * @throws ComputationError when it cannot be written.
-     */
-    void
-    add(const std::vector<Entry> &entries);
+    /** The content of the VTU file of a part, and of this output. */
+    using VtuText = std::function<std::string(const unsigned int part,
+                                              const unsigned int number)>;
 
     /**
-     * Writes the file as it stands, and removes the VTU files of its parts
-     * whose number is not below @p n_outputs: those of a run that went on
-     * after the checkpoint from which it is resumed.
-     * @throws ComputationError as add().
+     * Write a VTU file for each part, and list them.
+     * @throws ComputationError when a file cannot be written; everything
+     * listed before stays readable.
+     * @throws InputError when the names of two parts give the same file name.
      */
     void
-    cut_back(const unsigned int n_outputs) const;
+    write(const std::vector<std::string> &parts,
+          const double                    time,
+          const VtuText                  &vtu_text);
+
+    unsigned int
+    n_outputs() const
+    {
+      return number;
+    }
+
+    /**
+     * After a checkpoint was read: writes the file as it stands, and removes
+     * the VTU files of its parts that a run wrote after the checkpoint.
+     * @throws ComputationError as write().
+     */
+    void
+    cut_back() const;
 
     /** For checkpoints through Boost.Serialization. */
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &entries &parts;
+      archive &number &entries &known_parts;
     }
 
   private:
     void
-    write() const;
+    write_list() const;
 
     const std::string  file_name;
+    unsigned int       number = 0; // of the next output
     std::vector<Entry> entries;
 
     // The position of a name is the number of the part.
-    std::vector<std::string> parts;
+    std::vector<std::string> known_parts;
   };
 
   /**

@@ -61,29 +61,21 @@ namespace Signorini
     void
     write(const std::vector<SurfaceData<dim>> &surfaces, const double time);
 
-    unsigned int
-    n_outputs() const;
-
-    /** After a checkpoint was read: removes what the folder holds beyond it.
-     * @throws ComputationError. */
-    void
-    cut_back() const
+    /** The files written so far; for checkpoints. */
+    PvdFile &
+    collection()
     {
-      pvd_file.cut_back(number);
+      return collection_;
     }
 
-    /** For checkpoints through Boost.Serialization. */
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
+    const PvdFile &
+    collection() const
     {
-      archive &pvd_file &number;
+      return collection_;
     }
 
   private:
-    const std::string folder;
-    PvdFile           pvd_file;
-    unsigned int      number = 0;
+    PvdFile collection_;
   };
 } // namespace Signorini
 
