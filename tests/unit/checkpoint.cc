@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "contains.h"
 #include "temporary_folder.h"
 
 BOOST_AUTO_TEST_SUITE(checkpoint)
@@ -48,12 +49,6 @@ namespace
         return error.what();
       }
     return "";
-  }
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 } // namespace
 

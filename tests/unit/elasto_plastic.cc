@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "material_point.h"
+#include "test_laws.h"
 
 BOOST_AUTO_TEST_SUITE(elasto_plastic)
 
@@ -12,23 +13,15 @@ namespace
   const double E = 200e9, nu = 0.3, sigma_0 = 200e6;
   const double G = E / (2. * (1. + nu));
 
-  const std::string steel  = "set Law = elasto-plastic\n"
-                             "set Young's modulus = 200e9\n"
-                             "set Poisson's ratio = 0.3\n"
-                             "set Yield stress = 200e6\n";
-  const std::string linear = steel + "set Hardening modulus = 1000e6\n";
-  const std::string voce =
-    steel + "set Hardening = Voce\nset Hardening modulus = 100e6\n"
-            "set Saturation stress = 350e6\nset Saturation exponent = 12\n";
+  using TestLaws::linear, TestLaws::prager;
+
+  const std::string steel = linear + "set Hardening modulus = 0\n";
+  const std::string less  = "set Hardening modulus = 100e6\n";
+  const std::string voce  = TestLaws::voce + less;
   const std::string table =
     steel + "set Hardening = table\n"
             "set Hardening table = 0: 200e6 | 0.01: 260e6 | 0.1: 350e6\n";
-  const std::string prager = linear + "set Kinematic hardening = linear\n"
-                                      "set Kinematic hardening modulus = 5e9\n";
-  const std::string armstrong_frederick =
-    voce + "set Kinematic hardening = Armstrong-Frederick\n"
-           "set Kinematic hardening modulus = 20e9\n"
-           "set Dynamic recovery = 200\n";
+  const std::string armstrong_frederick = TestLaws::armstrong_frederick + less;
   const std::string johnson_cook = voce + "set Rate dependence = Johnson-Cook\n"
                                           "set Rate coefficient = 0.02\n"
                                           "set Reference rate = 1e-3\n";

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "contains.h"
+
 using namespace Signorini;
 
 namespace
@@ -76,12 +78,6 @@ namespace
         return error.what();
       }
     return "";
-  }
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 } // namespace
 

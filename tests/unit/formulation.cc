@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "material_point.h"
+#include "test_laws.h"
 
 BOOST_AUTO_TEST_SUITE(formulation)
 
@@ -11,21 +12,12 @@ using namespace dealii;
 
 namespace
 {
-  const std::string hencky = "set Law = elastic\nset Young's modulus = 200e9\n"
-                             "set Poisson's ratio = 0.3\n";
-  const std::string neo_hooke = hencky + "set Law = neo-Hooke\n";
-  const std::string steel     = hencky + "set Law = elasto-plastic\n"
-                                         "set Yield stress = 200e6\n"
-                                         "set Hardening modulus = 1000e6\n";
-  const std::string all       = steel + "set Hardening = Voce\n"
-                                        "set Saturation stress = 350e6\n"
-                                        "set Saturation exponent = 12\n"
-                                        "set Rate dependence = Johnson-Cook\n"
-                                        "set Kinematic hardening = "
-                                        "Armstrong-Frederick\n"
-                                        "set Kinematic hardening modulus = 20e9\n"
-                                        "set Dynamic recovery = 200\n";
-  const std::string perfect   = steel + "set Hardening modulus = 0\n";
+  using TestLaws::hencky, TestLaws::neo_hooke;
+
+  const std::string &steel = TestLaws::linear;
+  const std::string  all =
+    TestLaws::armstrong_frederick + "set Rate dependence = Johnson-Cook\n";
+  const std::string perfect = steel + "set Hardening modulus = 0\n";
 
   const auto both = {Kinematics::small_strain, Kinematics::finite_strain};
 

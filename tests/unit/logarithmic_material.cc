@@ -4,6 +4,7 @@
 
 #include "material_point.h"
 #include "potential.h"
+#include "test_laws.h"
 
 BOOST_AUTO_TEST_SUITE(logarithmic_material)
 
@@ -12,22 +13,9 @@ using namespace dealii;
 
 namespace
 {
-  const double E = 200e9, nu = 0.3;
+  using namespace TestLaws;
 
-  const std::string hencky = "set Law = elastic\nset Young's modulus = 200e9\n"
-                             "set Poisson's ratio = 0.3\n";
-  const std::string linear = hencky + "set Law = elasto-plastic\n"
-                                      "set Yield stress = 200e6\n"
-                                      "set Hardening modulus = 1000e6\n";
-  const std::string voce   = linear + "set Hardening = Voce\n"
-                                      "set Saturation stress = 350e6\n"
-                                      "set Saturation exponent = 12\n";
-  const std::string prager = linear + "set Kinematic hardening = linear\n"
-                                      "set Kinematic hardening modulus = 5e9\n";
-  const std::string armstrong_frederick =
-    voce + "set Kinematic hardening = Armstrong-Frederick\n"
-           "set Kinematic hardening modulus = 20e9\n"
-           "set Dynamic recovery = 200\n";
+  const double E = 200e9, nu = 0.3;
 
   // F_p^-1 of a history, whose last nine values are F_p^-1 - 1.
   Tensor<2, 3>

@@ -8,6 +8,7 @@
 
 #include <fstream>
 
+#include "contains.h"
 #include "random_curves.h"
 
 BOOST_AUTO_TEST_SUITE(profile)
@@ -39,12 +40,6 @@ namespace
         return error.what();
       }
     return "nothing";
-  }
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 
   const std::string slot = "set Outline = 0, 0 ; 1, 0 ; arc 1.5, 0.5 to 1, 1 ;"

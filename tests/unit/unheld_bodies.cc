@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "contact_setup.h"
+#include "contains.h"
 
 BOOST_AUTO_TEST_SUITE(unheld_bodies)
 
@@ -79,12 +80,6 @@ namespace
         ", 1.5\n set Radius = 0.5\nend\nset Centre of rotation = " + centre +
         ", 1.5\n" + punch,
       "0");
-  }
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
   }
 } // namespace
 
