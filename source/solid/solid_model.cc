@@ -11,22 +11,14 @@
 #include <limits>
 #include <sstream>
 
+#include "condensed_diagonal.h"
+
 namespace Signorini
 {
   using namespace dealii;
 
   namespace
   {
-    // deal.II leaves a number on the diagonal of condensed unknowns. They are
-    // never solved for, and the number would count in U.K U.
-    void
-    clear_condensed_diagonal(const AffineConstraints<double> &constraints,
-                             SparseMatrix<double>            &matrix)
-    {
-      for (const auto &line : constraints.get_lines())
-        matrix.set(line.index, line.index, 0.);
-    }
-
     template <int dim>
     void
     add_hanging_nodes(const Body<dim>           &body,
@@ -135,6 +127,8 @@ namespace Signorini
     add_initial_stiffness([](const Body<dim> &) { return 1.; }, stiffness_);
     if (inertia.present)
       assemble_inertia(inertia);
+    else
+      refuse_absorbing_boundaries();
     hold_free_bodies();
   }
 
@@ -220,38 +214,14 @@ namespace Signorini
 
   template <int dim>
   void
-  SolidModel<dim>::assemble_inertia(const Inertia &inertia)
+  SolidModel<dim>::refuse_absorbing_boundaries() const
   {
-    SparseMatrix<double> mass(sparsity_), damping(sparsity_);
-    bool                 is_damped = false;
     for (const auto &part : parts_)
-      {
-        const Body<dim> &body = *part.body;
-        for (const Material *const material : body.materials())
-          if (material->density() <= 0.)
-            throw InputError("Body " + body.name() +
-                             " / Material / Density: must be greater than zero "
-                             "in a dynamic run, in kg/m^3. Without inertia set "
-                             "Time / Analysis = static.");
-        add_mass(body, constraints_, inertia.lumped, 1., mass);
-        if (body.mass_damping() > 0.)
-          add_mass(
-            body, constraints_, inertia.lumped, body.mass_damping(), damping);
-        is_damped = is_damped || body.mass_damping() > 0. ||
-                    body.stiffness_damping() > 0.;
-      }
-    add_initial_stiffness(
-      [](const Body<dim> &body) { return body.stiffness_damping(); }, damping);
-    clear_condensed_diagonal(constraints_, mass);
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      mass.set(first_lumped() + l, first_lumped() + l, lumped_[l].mass);
-    mass_.reinit(sparsity_);
-    redistribution_.congruence(mass, mass_);
-    if (is_damped)
-      {
-        damping_.reinit(sparsity_);
-        redistribution_.congruence(damping, damping_);
-      }
+      if (!part.supports.absorbing_boundaries().empty())
+        throw InputError("Body " + part.body->name() +
+                         " / Supports / Absorbing: dashpots resist velocities, "
+                         "and a static run has none. Fix the boundary, or set "
+                         "Time / Analysis = dynamic.");
   }
 
 

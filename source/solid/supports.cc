@@ -53,6 +53,13 @@ namespace Signorini
                       "Displacements as functions of x, y (, z) and t: "
                       "`top: y = -1e-3*t ; x = 0 | right: x = 0.1*sin(t)'. "
                       "Unit: m.");
+    prm.declare_entry("Absorbing",
+                      "",
+                      Patterns::Anything(),
+                      "Boundaries behind which the body goes on without end, "
+                      "`right | bottom': viscous dashpots take up the waves "
+                      "that arrive. In dynamic runs; they do not hold the body "
+                      "in place.");
     prm.leave_subsection();
   }
 
@@ -88,6 +95,16 @@ namespace Signorini
               parse_component<dim>(Utilities::trim(motion.substr(0, equal)),
                                    prescribed),
               motions_.back().get());
+        }
+
+    for (const std::string &boundary : split_list(prm.get("Absorbing"), '|'))
+      try
+        {
+          absorbing_boundaries_.insert(body.mesh().boundary(boundary));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(section + "Absorbing: " + error.what());
         }
     prm.leave_subsection();
   }

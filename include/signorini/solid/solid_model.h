@@ -52,7 +52,8 @@ namespace Signorini
 
     /**
      * Builds the sparsity pattern and assembles stiffness, mass and damping.
-     * @throws InputError when a body of a dynamic run has no mass.
+     * @throws InputError when a body of a dynamic run has no mass, or one of a
+     * static run absorbing boundaries.
      */
     void
     assemble(const Inertia &inertia);
@@ -135,7 +136,8 @@ namespace Signorini
       return mass_;
     }
 
-    /** a M + b K; empty when no body is damped. */
+    /** a M + b K and the dashpots of absorbing boundaries; empty when no body
+     * is damped. */
     const dealii::SparseMatrix<double> &
     damping() const
     {
@@ -229,6 +231,8 @@ namespace Signorini
     build_sparsity();
     void
     assemble_inertia(const Inertia &inertia);
+    void
+    refuse_absorbing_boundaries() const;
     void
     hold_free_bodies();
 

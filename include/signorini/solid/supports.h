@@ -5,6 +5,7 @@
 #include <signorini/space_time_function.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace Signorini
 {
   /**
    * The unknowns of a body whose motion is given: fixed ones and those that
-   * follow a function of place and time.
+   * follow a function of place and time. And the boundaries at which waves
+   * leave the body.
    */
   template <int dim>
   class Supports
@@ -51,6 +53,13 @@ namespace Signorini
     bool
     are_fixed() const;
 
+    /** Boundaries on dashpots, see add_absorbing_boundaries(). */
+    const std::set<dealii::types::boundary_id> &
+    absorbing_boundaries() const
+    {
+      return absorbing_boundaries_;
+    }
+
   private:
     struct Prescribed
     {
@@ -66,6 +75,7 @@ namespace Signorini
 
     std::vector<Prescribed>                              prescribed_;
     std::vector<std::unique_ptr<SpaceTimeFunction<dim>>> motions_;
+    std::set<dealii::types::boundary_id>                 absorbing_boundaries_;
   };
 } // namespace Signorini
 
