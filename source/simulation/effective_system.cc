@@ -1,11 +1,79 @@
 #include <signorini/input_error.h>
 #include <signorini/linear_algebra/cholesky_condensation.h>
+#include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/simulation/effective_system.h>
 #include <signorini/variational_inequality/kkt_residual.h>
 
 namespace Signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    // Weaker than this, the solutions of the interface problem have lost more
+    // digits than the tolerances allow.
+    constexpr double smallest_pivot_ratio = 1e-6;
+
+    // False if the matrix is not positive definite, or hardly.
+    bool
+    set_if_definite(const FullMatrix<double> &matrix, InterfaceProblem &problem)
+    {
+      try
+        {
+          auto       stiffness = InterfaceStiffness::from_matrix(matrix);
+          const bool is_strong = stiffness.pivot_ratio() > smallest_pivot_ratio;
+          if (is_strong)
+            problem.set_stiffness(std::move(stiffness));
+          return is_strong;
+        }
+      catch (const ComputationError &)
+        {
+          return false;
+        }
+    }
+
+    // Adds springs that resist any correction, as soft as it may be.
+    void
+    set_with_least_springs(FullMatrix<double> &matrix,
+                           const double        largest,
+                           InterfaceProblem   &problem)
+    {
+      double spring = 0.;
+      while (!set_if_definite(matrix, problem))
+        {
+          const double next = std::max(1e-6 * largest, 3. * spring);
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            matrix(i, i) += next - spring;
+          spring = next;
+        }
+    }
+
+    double
+    largest_diagonal(const FullMatrix<double> &matrix)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        largest = std::max(largest, matrix(i, i));
+      return largest;
+    }
+
+    // stiffness += spring row^T row, force += spring target row^T: a spring
+    // without force where row . du = target.
+    void
+    add_spring(const SparseRow    &row,
+               const double        target,
+               const double        spring,
+               FullMatrix<double> &stiffness,
+               Vector<double>     &force)
+    {
+      for (const auto &[i, a] : row)
+        for (const auto &[j, b] : row)
+          stiffness(i, j) += spring * a * b;
+      row.add_to(force, spring * target);
+    }
+  } // namespace
+
+
 
   template <int dim>
   EffectiveSystem<dim>::EffectiveSystem(
@@ -19,6 +87,10 @@ namespace Signorini
     , algorithm_(std::move(algorithm))
     , solver_(std::make_unique<CholeskyCondensation>())
     , is_factorised_(false)
+    , is_indefinite_(false)
+    , indefinite_unknown_(0)
+    , interface_spring_(0.)
+    , last_softness_(0.)
     , section_factorisation_(timings.add("factorisation"))
     , section_substitution_(timings.add("substitution"))
     , section_interface_(timings.add("interface problem"))
@@ -52,11 +124,63 @@ namespace Signorini
     if (factors.mass == 0.)
       for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
         matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
-    solver_->factorise(matrix_);
+    is_indefinite_    = false;
+    interface_spring_ = 0.;
+    try
+      {
+        solver_->factorise(matrix_);
+      }
+    catch (const NotPositiveDefinite &failure)
+      {
+        // Inertia makes K^ definite in steps that are short enough.
+        if (!tangent || factors.mass != 0.)
+          throw;
+        is_indefinite_      = true;
+        indefinite_unknown_ = failure.unknown;
+        factorise_with_springs();
+      }
     problem_.set_stiffness(solver_->interface_stiffness());
     stiffness_     = solver_->interface_stiffness();
     factors_       = factors;
     is_factorised_ = true;
+  }
+
+
+
+  template <int dim>
+  void
+  EffectiveSystem<dim>::factorise_with_springs()
+  {
+    const SparseMatrix<double> &initial   = solid_.stiffness();
+    const auto                 &interface = contact_.interface_dofs();
+    for (const unsigned int i : interface)
+      interface_spring_ = std::max(interface_spring_, initial.diag_element(i));
+    for (const unsigned int i : interface)
+      matrix_.diag_element(i) += interface_spring_;
+    // The softest that will do: the closer to the limit, the faster the
+    // iteration leaves what is unstable.
+    constexpr double smallest = 1e-10, largest = 1., growth = 3.;
+    double           softness = 0.;
+    while (true)
+      try
+        {
+          solver_->factorise(matrix_);
+          last_softness_ = softness;
+          return;
+        }
+      catch (const NotPositiveDefinite &)
+        {
+          const double next =
+            softness > 0. ?
+              growth * softness :
+              std::max(smallest, last_softness_ / (growth * growth));
+          if (next > largest)
+            throw;
+          for (unsigned int i = 0; i < solid_.first_lumped(); ++i)
+            matrix_.diag_element(i) +=
+              (next - softness) * initial.diag_element(i);
+          softness = next;
+        }
   }
 
 
@@ -107,35 +231,52 @@ namespace Signorini
     Vector<double>                       &reduced_force)
   {
     problem_.set_contacts(contact_.constraints(points, coefficients));
-    if (contact_.is_flat())
+    if (contact_.is_flat() && interface_spring_ == 0. &&
+        stiffness_.pivot_ratio() > smallest_pivot_ratio)
       {
         problem_.set_reduced_force(reduced_force);
         return;
       }
-    problem_.set_stiffness(
-      stiffness_with_curvature(points, multipliers.normal));
     stiffness_.multiply_factor(reduced_force);
+    const FullMatrix<double> plain     = stiffness_.matrix();
+    FullMatrix<double>       stiffness = plain;
+    for (unsigned int i = 0; i < stiffness.m(); ++i)
+      stiffness(i, i) -= interface_spring_;
+    contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
+    if (set_if_definite(stiffness, problem_))
+      {
+        problem_.set_force(reduced_force);
+        return;
+      }
+    hold_closed_contacts(multipliers,
+                         largest_diagonal(plain),
+                         stiffness,
+                         reduced_force);
+    set_with_least_springs(stiffness, largest_diagonal(plain), problem_);
     problem_.set_force(reduced_force);
   }
 
 
 
   template <int dim>
-  InterfaceStiffness
-  EffectiveSystem<dim>::stiffness_with_curvature(
-    const std::vector<ContactPoint<dim>> &points,
-    const std::vector<double>            &normal_forces) const
+  void
+  EffectiveSystem<dim>::hold_closed_contacts(const InterfaceForces &multipliers,
+                                             const double           spring,
+                                             FullMatrix<double>    &stiffness,
+                                             Vector<double>        &force) const
   {
-    const FullMatrix<double> plain     = stiffness_.matrix();
-    FullMatrix<double>       stiffness = plain;
-    contact_.add_geometric_stiffness(points, normal_forces, stiffness);
-    try
+    for (unsigned int k = 0; k < problem_.n_contacts(); ++k)
       {
-        return InterfaceStiffness::from_matrix(stiffness);
-      }
-    catch (const ComputationError &)
-      {
-        return InterfaceStiffness::from_matrix(plain);
+        const InterfaceContact &contact = problem_.contact(k);
+        if (multipliers.normal[k] <= 0. || contact.is_out_of_reach())
+          continue;
+        add_spring(contact.normal, contact.gap, spring, stiffness, force);
+        const auto  &friction = multipliers.tangential[k];
+        const double bound    = contact.friction_bound(multipliers.normal[k]);
+        if (std::hypot(friction[0], friction[1]) < 0.99 * bound)
+          for (unsigned int j = 0; j < contact.tangents.size(); ++j)
+            add_spring(
+              contact.tangents[j], -contact.slip[j], spring, stiffness, force);
       }
   }
 

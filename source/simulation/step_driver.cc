@@ -219,6 +219,11 @@ namespace Signorini
                    "convergent method solved the contact of " +
                    time_step_.fallbacks());
       }
+    if (!time_step_.indefinite_at().empty())
+      log.detail("step " + std::to_string(state.step) +
+                 ": the stiffness was not positive definite at " +
+                 time_step_.indefinite_at() +
+                 " on the way, and springs led around it");
     if (!verdict.reason.empty())
       {
         std::ostringstream message;

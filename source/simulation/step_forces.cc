@@ -91,6 +91,9 @@ namespace Signorini
     try
       {
         system_.factorise(factors, &tangent_);
+        if (system_.is_indefinite())
+          indefinite_at_ =
+            solid_.unknown_in_words(system_.indefinite_unknown());
       }
     catch (const NotPositiveDefinite &error)
       {

@@ -96,7 +96,9 @@ namespace Signorini
     }
 
     std::string
-    failure_message(const State &state, const double force_change)
+    failure_message(const State       &state,
+                    const double       force_change,
+                    const std::string &indefinite_at)
     {
       std::ostringstream message;
       message << "not converged after " << state.n_iterations
@@ -105,6 +107,9 @@ namespace Signorini
               << " of the largest force, change of contact "
               << "forces " << force_change << ", interface residual "
               << state.kkt_residual;
+      if (!indefinite_at.empty())
+        message << "; the stiffness was not positive definite at "
+                << indefinite_at;
       return message.str();
     }
   } // namespace
@@ -191,6 +196,7 @@ namespace Signorini
   TimeStep<dim>::advance(const State &old_state, const double step_size)
   {
     fallbacks_.clear();
+    indefinite_at_.clear();
     State state = old_state;
     ++state.step;
     state.time += step_size;
@@ -227,7 +233,8 @@ namespace Signorini
           }
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
-          throw StepFailed(failure_message(state, iterate.force_change));
+          throw StepFailed(
+            failure_message(state, iterate.force_change, indefinite_at_));
         iterate = improve(old_state, force, points, iterate, state);
         refuse_collapse(old_state, state);
       }

@@ -198,6 +198,22 @@ namespace Signorini
 
 
 
+  double
+  InterfaceStiffness::pivot_ratio() const
+  {
+    if (n == 0)
+      return 1.;
+    double smallest = factor(0, 0), largest = factor(0, 0);
+    for (unsigned int i = 1; i < n; ++i)
+      {
+        smallest = std::min(smallest, factor(i, i));
+        largest  = std::max(largest, factor(i, i));
+      }
+    return smallest * smallest / (largest * largest);
+  }
+
+
+
   FullMatrix<double>
   InterfaceStiffness::matrix() const
   {

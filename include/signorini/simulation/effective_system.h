@@ -62,6 +62,13 @@ namespace Signorini
 
     /**
      * Assembles and factorises K^, unless it is the one at hand.
+     *
+     * Of a static body that is not linear, K may be indefinite: only contact
+     * holds it, or it buckles. Springs are then added which resist a
+     * correction and vanish as the iteration converges, at first on the
+     * interface only, whose condensed stiffness is known without them, and if
+     * that is not enough on all unknowns.
+     *
      * @param tangent K of the present iterate; null: the constant one of a
      *                linear solid
      * @throws NotPositiveDefinite, ComputationError.
@@ -84,6 +91,20 @@ namespace Signorini
             const std::vector<ContactPoint<dim>> &points,
             const InterfaceForces                &multipliers,
             const std::vector<double>            &coefficients);
+
+    /** True if K^ is indefinite, and springs were added. */
+    bool
+    is_indefinite() const
+    {
+      return is_indefinite_;
+    }
+
+    /** An unknown at which K^ is not positive definite. */
+    unsigned int
+    indefinite_unknown() const
+    {
+      return indefinite_unknown_;
+    }
 
     /** K^-1 force, as if there were no contact. */
     dealii::Vector<double>
@@ -108,11 +129,17 @@ namespace Signorini
                            const std::vector<double>            &coefficients,
                            dealii::Vector<double>               &reduced_force);
 
-    // S with the geometric contact term, or without where that term would make
-    // it indefinite: then the iteration is a modified Newton's.
-    InterfaceStiffness
-    stiffness_with_curvature(const std::vector<ContactPoint<dim>> &points,
-                             const std::vector<double> &normal_forces) const;
+    // Adds springs to the matrix until it is positive definite, and factorises.
+    void
+    factorise_with_springs();
+
+    // Adds springs that hold closed contacts where the interface problem wants
+    // to have them: they change nothing as long as these stay closed.
+    void
+    hold_closed_contacts(const InterfaceForces      &multipliers,
+                         const double                spring,
+                         dealii::FullMatrix<double> &stiffness,
+                         dealii::Vector<double>     &force) const;
 
     const SolidModel<dim>              &solid_;
     const ContactModel<dim>            &contact_;
@@ -121,8 +148,12 @@ namespace Signorini
     std::unique_ptr<CondensedSolver>    solver_;
     dealii::SparseMatrix<double>        matrix_;
     bool                                is_factorised_;
+    bool                                is_indefinite_;
+    unsigned int                        indefinite_unknown_;
+    double                              interface_spring_; // N/m
+    double                              last_softness_; // of springs in K^, 1
     Factors                             factors_;
-    InterfaceStiffness                  stiffness_; // without geometric term
+    InterfaceStiffness                  stiffness_; // with the springs
     InterfaceProblem                    problem_;
     unsigned int                        section_factorisation_;
     unsigned int                        section_substitution_;

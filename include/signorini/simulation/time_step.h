@@ -69,6 +69,14 @@ namespace Signorini
       return fallbacks_;
     }
 
+    /** A node at which the stiffness of an iterate of the last step was not
+     * positive definite: in words, or empty. */
+    const std::string &
+    indefinite_at() const
+    {
+      return indefinite_at_;
+    }
+
     /** That of the last iteration. */
     const InterfaceProblem &
     interface_problem() const
@@ -169,6 +177,7 @@ namespace Signorini
     double                   largest_stiffness_; // of the diagonal, N/m
     double                   extent_;            // of all bodies, m
     std::string              fallbacks_;
+    std::string              indefinite_at_;
 
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;

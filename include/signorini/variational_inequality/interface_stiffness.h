@@ -89,6 +89,11 @@ namespace Signorini
       return lower[i + std::size_t(j) * n];
     }
 
+    /** Smallest over largest diagonal entry of L, squared: a lower bound of
+     * the condition number has this as its inverse. 1 if n = 0. */
+    double
+    pivot_ratio() const;
+
     /** S itself, O(n^3): to add to it, or to look at it. */
     dealii::FullMatrix<double>
     matrix() const;
