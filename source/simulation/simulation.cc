@@ -116,11 +116,8 @@ namespace Signorini
           }
       }
     const bool is_complete = plan_.is_end(record_.state.time);
-    if (is_complete && problem_.time.final_relaxation)
-      {
-        driver_.relax(record_, log);
-        record(false, files);
-      }
+    if (is_complete)
+      relax(task, files, log);
     if (!is_saved && (!is_complete || !checkpoint_clock_.is_off()))
       is_saved = save(task, files, log);
     finish(task, files);
@@ -213,6 +210,31 @@ namespace Signorini
                                           state.time),
            files);
     show_progress(log);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::relax(const RunTask &task, Files &files, Log &log)
+  {
+    if (problem_.time.final_relaxation == FinalRelaxation::still)
+      {
+        driver_.relax(record_, log);
+        record(false, files);
+      }
+    if (problem_.time.final_relaxation == FinalRelaxation::damped)
+      driver_.damp(
+        task.folder,
+        [&]() {
+          record(false, files);
+          show_progress(log);
+          if (is_interrupted())
+            throw Interrupted("Stopped as asked, in the final relaxation. The "
+                              "history is complete up to here.");
+        },
+        record_,
+        log);
   }
 
 

@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/step_driver.h>
 #include <signorini/time/step_error.h>
 #include <signorini/time/step_plan.h>
@@ -146,6 +147,59 @@ namespace Signorini
             << loss << " J of vibration";
     log.line(message.str());
     record.state = std::move(state);
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::damp(const std::string           &folder,
+                        const std::function<void()> &is_made,
+                        RunRecord                   &record,
+                        Log                         &log)
+  {
+    constexpr double negligible = 1e-8;
+    const double     size       = problem_.time.step_control.initial_size;
+    const double     start      = record.state.energy.damping;
+    double           highest = stop_bodies(record.state), last = 0.;
+    unsigned int     n_steps    = 0;
+    bool             is_at_rest = highest == 0.;
+    while (!is_at_rest)
+      {
+        advance(record.state.time + size, folder, record, log);
+        ++n_steps;
+        State        still   = record.state;
+        const double kinetic = stop_bodies(still);
+        highest              = std::max(highest, kinetic);
+        if (kinetic < last)
+          {
+            is_at_rest   = last < negligible * highest;
+            record.state = std::move(still);
+            last         = 0.;
+          }
+        else
+          last = kinetic;
+        is_made();
+      }
+    std::ostringstream message;
+    message << "final relaxation: " << n_steps << " steps took "
+            << record.state.energy.damping - start << " J of vibration";
+    log.line(message.str());
+  }
+
+
+
+  template <int dim>
+  double
+  StepDriver<dim>::stop_bodies(State &state) const
+  {
+    const double kinetic = state.energy.kinetic;
+    for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
+      state.velocity[i] = 0.;
+    measure_kinetic_energy(*problem_.solid, state);
+    const double taken = kinetic - state.energy.kinetic;
+    state.energy.damping += taken;
+    return taken;
   }
 
 

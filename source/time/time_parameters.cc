@@ -62,6 +62,14 @@ namespace Signorini
       return text.str();
     }
 
+    FinalRelaxation
+    relaxation_from_name(const std::string &name)
+    {
+      return name == "none"   ? FinalRelaxation::none :
+             name == "static" ? FinalRelaxation::still :
+                                FinalRelaxation::damped;
+    }
+
     void
     declare_scheme(ParameterHandler &prm)
     {
@@ -111,11 +119,13 @@ namespace Signorini
                       "only scales loads and motions (load stepping).");
     prm.declare_entry("Final relaxation",
                       "none",
-                      Patterns::Selection("none|static"),
-                      "static: after the End time of a dynamic run, one more "
-                      "step without inertia takes the vibration out of the "
-                      "bodies, and residual stresses are left. Rigid bodies "
-                      "fly on.");
+                      Patterns::Selection("none|static|damped"),
+                      "What takes the vibration out of the bodies after the "
+                      "End time of a dynamic run and leaves residual "
+                      "stresses. static: one step without inertia. damped: "
+                      "more steps of the Step size, with the bodies stopped "
+                      "whenever their kinetic energy begins to fall, until "
+                      "nearly none is left. Rigid bodies fly on.");
     prm.declare_entry("End time",
                       "1",
                       Patterns::Double(0.),
@@ -167,9 +177,11 @@ namespace Signorini
   {
     TimeParameters parameters;
     prm.enter_subsection("Time");
-    parameters.dynamic          = prm.get("Analysis") == "dynamic";
-    parameters.final_relaxation = prm.get("Final relaxation") == "static";
-    if (parameters.final_relaxation && !parameters.dynamic)
+    parameters.dynamic = prm.get("Analysis") == "dynamic";
+    parameters.final_relaxation =
+      relaxation_from_name(prm.get("Final relaxation"));
+    if (parameters.final_relaxation != FinalRelaxation::none &&
+        !parameters.dynamic)
       throw InputError("Time / Final relaxation: a static run has no vibration "
                        "to take out. Set Final relaxation = none.");
     parameters.end_time            = prm.get_double("End time");

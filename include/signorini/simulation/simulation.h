@@ -76,6 +76,9 @@ namespace Signorini
     make_step(const RunTask &task, Files &files, Log &log);
 
     void
+    relax(const RunTask &task, Files &files, Log &log);
+
+    void
     record(const bool with_fields, Files &files);
 
     void

@@ -7,6 +7,7 @@
 #include <signorini/simulation/run_record.h>
 #include <signorini/simulation/time_step.h>
 
+#include <functional>
 #include <string>
 
 namespace Signorini
@@ -47,11 +48,29 @@ namespace Signorini
     void
     relax(RunRecord &record, Log &log) const;
 
+    /**
+     * Steps in which the bodies are stopped whenever their kinetic energy
+     * begins to fall, until its peaks are below 1e-8 of the first ones (dynamic
+     * relaxation with kinetic damping, Cundall 1976). Rigid bodies fly on. The
+     * energy that this takes is counted as damped.
+     * @param is_made called after each step
+     * @throws ComputationError as advance().
+     */
+    void
+    damp(const std::string           &folder,
+         const std::function<void()> &is_made,
+         RunRecord                   &record,
+         Log                         &log);
+
     /** Of the last iteration, as text, so that it can be solved alone. */
     void
     write_interface(const std::string &path, Log &log) const;
 
   private:
+    // Takes the velocity from the bodies and returns their kinetic energy, J.
+    double
+    stop_bodies(State &state) const;
+
     // Over the tolerance; 0 if errors are not estimated.
     double
     error(const State &old_state,

@@ -13,11 +13,19 @@ namespace dealii
 
 namespace Signorini
 {
+  /** How the vibration is taken out of the bodies after a dynamic run. */
+  enum class FinalRelaxation
+  {
+    none,
+    still, // one step without inertia
+    damped // in motion, which is stopped whenever its energy begins to fall
+  };
+
   /** The section `Time` of the .prm: what is integrated, and how. */
   struct TimeParameters
   {
     bool             dynamic          = true;
-    bool             final_relaxation = false;
+    FinalRelaxation  final_relaxation = FinalRelaxation::none;
     double           end_time;  // s
     double           step_size; // s
     StepControl      step_control;
