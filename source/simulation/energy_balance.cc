@@ -126,8 +126,8 @@ namespace Signorini
       {
         Vector<double> velocity(state.velocity);
         velocity.sadd(0.5, 0.5, old_state.velocity);
-        energy.damping += (state.time - old_state.time) *
-                          solid.damping().matrix_norm_square(velocity);
+        solid.damping().vmult(force, velocity);
+        energy.damping += motion * force;
       }
   }
 

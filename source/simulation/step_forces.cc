@@ -14,12 +14,15 @@ namespace Signorini
   {
     if (!settings_.time.dynamic)
       return {1., 0., 0.};
+    const auto inertia = [&](const GeneralizedAlpha &scheme) {
+      return (1. - scheme.alpha_B) * scheme.acceleration_factor(step_size);
+    };
     return {1. - scheme_.alpha_H,
-            (1. - scheme_.alpha_B) * scheme_.acceleration_factor(step_size),
+            inertia(scheme_),
             solid_.is_damped() ?
               (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
               0.,
-            multiplier_factor_};
+            inertia(rigid_scheme_) / inertia(scheme_) / rigid_share_};
   }
 
 
@@ -123,6 +126,7 @@ namespace Signorini
                                       old_state.velocity,
                                       old_state.acceleration,
                                       step_size);
+    update_rigid_rates(old_state, step_size, state);
     solid_.apply_support_rates(state.time,
                                step_size,
                                state.velocity,
@@ -169,11 +173,50 @@ namespace Signorini
         force -= product;
       }
 
-    // The multipliers are a share of the contact forces: that of rows that
-    // have mass has to be the same.
-    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
-      force[i] *= multiplier_factor_;
+    set_rigid_residual(old_state, state, force);
     return force;
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::update_rigid_rates(const State &old_state,
+                                    const double step_size,
+                                    State       &state) const
+  {
+    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+      {
+        const double factor   = rigid_scheme_.acceleration_factor(step_size);
+        const double old_rate = old_state.acceleration[i];
+        state.acceleration[i] =
+          factor * (state.displacement[i] - old_state.displacement[i] -
+                    step_size * old_state.velocity[i]) +
+          (1. - 0.5 / rigid_scheme_.beta) * old_rate;
+        state.velocity[i] =
+          old_state.velocity[i] +
+          step_size * ((1. - rigid_scheme_.gamma) * old_rate +
+                       rigid_scheme_.gamma * state.acceleration[i]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::set_rigid_residual(const State    &old_state,
+                                    const State    &state,
+                                    Vector<double> &residual) const
+  {
+    const double alpha_B = rigid_scheme_.alpha_B;
+    const double alpha_H = rigid_scheme_.alpha_H;
+    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+      residual[i] = ((1. - alpha_H) * state.external_force[i] +
+                     alpha_H * old_state.external_force[i] -
+                     solid_.mass().diag_element(i) *
+                       ((1. - alpha_B) * state.acceleration[i] +
+                        alpha_B * old_state.acceleration[i])) /
+                    rigid_share_;
   }
 
 
@@ -231,6 +274,12 @@ namespace Signorini
   TimeStep<2>::factorise(const double);
   template void
   TimeStep<2>::update_rates(const State &, const double, State &) const;
+  template void
+  TimeStep<2>::update_rigid_rates(const State &, const double, State &) const;
+  template void
+  TimeStep<2>::set_rigid_residual(const State &,
+                                  const State &,
+                                  Vector<double> &) const;
   template Vector<double>
   TimeStep<2>::residual(const State &, const State &) const;
   template double
@@ -253,6 +302,12 @@ namespace Signorini
   TimeStep<3>::factorise(const double);
   template void
   TimeStep<3>::update_rates(const State &, const double, State &) const;
+  template void
+  TimeStep<3>::update_rigid_rates(const State &, const double, State &) const;
+  template void
+  TimeStep<3>::set_rigid_residual(const State &,
+                                  const State &,
+                                  Vector<double> &) const;
   template Vector<double>
   TimeStep<3>::residual(const State &, const State &) const;
   template double

@@ -23,6 +23,17 @@ namespace Signorini
                1.;
     }
 
+    // A rigid body stands against massless nodes, which are in balance at the
+    // end of the step. Its own method is of second order, as that of the
+    // bodies, needs no old contact force, and lets nothing ring when nodes
+    // land.
+    GeneralizedAlpha
+    rigid_scheme(const TimeParameters &time)
+    {
+      return time.contact_mass == "consistent" ? time.scheme :
+                                                 chung_hulbert(0.);
+    }
+
     // Of a static step, relative to the bodies: beyond it forces are rounding.
     constexpr double largest_motion = 1e3;
 
@@ -127,6 +138,8 @@ namespace Signorini
     , timings_(timings)
     , scheme_(settings.time.scheme)
     , multiplier_factor_(multiplier_factor(settings.time))
+    , rigid_scheme_(rigid_scheme(settings.time))
+    , rigid_share_((1. - rigid_scheme_.alpha_H) / multiplier_factor_)
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, multiplier_factor_),

@@ -27,7 +27,10 @@ namespace Signorini
    *
    * Candidate nodes without mass take part in the balance at the end of the
    * step only: their old forces carry no history, and the multiplier of the
-   * interface problem is (1 - alpha_H) times their contact force.
+   * interface problem is (1 - alpha_H) times their contact force. Free rigid
+   * bodies, which have mass, are then integrated with the spectral radius 0, in
+   * rows that are scaled for the same multiplier:
+   *   M (2 A_np - A_n) = F_np + contact forces at n+1.
    */
   template <int dim>
   class TimeStep
@@ -120,6 +123,16 @@ namespace Signorini
                  const double step_size,
                  State       &state) const;
 
+    void
+    update_rigid_rates(const State &old_state,
+                       const double step_size,
+                       State       &state) const;
+
+    void
+    set_rigid_residual(const State            &old_state,
+                       const State            &state,
+                       dealii::Vector<double> &residual) const;
+
     // Without contact forces.
     dealii::Vector<double>
     residual(const State &old_state, const State &state) const;
@@ -172,6 +185,8 @@ namespace Signorini
     Timings                 &timings_;
     GeneralizedAlpha         scheme_;
     double                   multiplier_factor_;
+    GeneralizedAlpha         rigid_scheme_;
+    double                   rigid_share_; // 1 over the scale of their rows
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;      // of a node, kg
     double                   largest_stiffness_; // of the diagonal, N/m
