@@ -47,6 +47,13 @@ namespace Signorini
                       "which `signorini solve-interface' solves by every "
                       "algorithm. That of a step that fails at the Minimal "
                       "step size is written always. Unit: s.");
+    prm.declare_entry("Residuals in log",
+                      "false",
+                      Patterns::Bool(),
+                      "Writes the unbalanced force of all iterations of each "
+                      "step to the log, relative to the largest force. Where "
+                      "a step does not converge they show why; else each is "
+                      "about the square of the last.");
     prm.declare_entry("Monitor",
                       "",
                       Patterns::Anything(),
@@ -84,7 +91,8 @@ namespace Signorini
     for (const auto &time : split_list(prm.get("Interface problems at"), ','))
       parameters.interface_times.push_back(
         parse_number(time, "Output / Interface problems at"));
-    const std::string entry = "Output / Monitor";
+    parameters.logs_residuals = prm.get_bool("Residuals in log");
+    const std::string entry   = "Output / Monitor";
     for (const auto &[name, place] :
          parse_named_list(prm.get("Monitor"), entry))
       {

@@ -7,6 +7,7 @@
 #include <signorini/variational_inequality/interface_problem_io.h>
 
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace Signorini
@@ -93,6 +94,8 @@ namespace Signorini
         trial.error        = trial.converged ?
                                error(record.state, state, record.largest_kinetic) :
                                0.;
+        if (problem_.output.logs_residuals)
+          log_residuals(record.state, trial, log);
         const StepVerdict verdict =
           judge_step(control, record.step_memory, trial);
         if (verdict.is_accepted)
@@ -222,6 +225,22 @@ namespace Signorini
                                std::sqrt(2. * std::max(largest,
                                                        state.energy.kinetic))) /
            tolerance;
+  }
+
+
+
+  template <int dim>
+  void
+  StepDriver<dim>::log_residuals(const State     &old_state,
+                                 const StepTrial &trial,
+                                 Log             &log) const
+  {
+    std::ostringstream text;
+    text << step_in_words(old_state, trial.size) << ": residuals"
+         << std::setprecision(3);
+    for (const double residual : time_step_.residuals())
+      text << ' ' << residual;
+    log.detail(text.str());
   }
 
 

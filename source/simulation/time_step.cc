@@ -210,6 +210,7 @@ namespace Signorini
   {
     fallbacks_.clear();
     indefinite_at_.clear();
+    residuals_.clear();
     State state = old_state;
     ++state.step;
     state.time += step_size;
@@ -238,6 +239,7 @@ namespace Signorini
         const Vector<double> force  = residual(old_state, state);
         state.residual =
           imbalance(old_state, state, force, points, iterate.multipliers);
+        residuals_.push_back(state.residual);
         if (is_solved(state, points, iterate))
           {
             refuse_passage(old_state, iterate, state);

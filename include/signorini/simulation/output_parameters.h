@@ -30,6 +30,7 @@ namespace Signorini
     unsigned int         steps_between_checkpoints;   // 0: not by steps
     double               minutes_between_checkpoints; // 0: not by the clock
     std::vector<double>  interface_times;             // s, increasing
+    bool                 logs_residuals;
     std::vector<Monitor> monitors;
     std::string          checks;
 

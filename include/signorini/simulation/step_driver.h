@@ -77,6 +77,11 @@ namespace Signorini
           const State &state,
           const double largest) const;
 
+    void
+    log_residuals(const State     &old_state,
+                  const StepTrial &trial,
+                  Log             &log) const;
+
     // Gives up when the next trial would be too small.
     void
     report_failure(const State       &old_state,

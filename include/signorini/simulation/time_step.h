@@ -80,6 +80,14 @@ namespace Signorini
       return indefinite_at_;
     }
 
+    /** Largest unbalanced force over the largest force, of each iterate of the
+     * last step. Newton's method squares them from one to the next. */
+    const std::vector<double> &
+    residuals() const
+    {
+      return residuals_;
+    }
+
     /** That of the last iteration. */
     const InterfaceProblem &
     interface_problem() const
@@ -193,6 +201,7 @@ namespace Signorini
     double                   extent_;            // of all bodies, m
     std::string              fallbacks_;
     std::string              indefinite_at_;
+    std::vector<double>      residuals_;
 
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;
