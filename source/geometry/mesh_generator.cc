@@ -1,10 +1,14 @@
 #include <signorini/geometry/ball.h>
+#include <signorini/geometry/blade_root.h>
 #include <signorini/geometry/block.h>
+#include <signorini/geometry/disc_sector.h>
 #include <signorini/geometry/half_ball.h>
 #include <signorini/geometry/mesh_file.h>
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/geometry/mesh_refinement.h>
+#include <signorini/geometry/pinion.h>
 #include <signorini/geometry/quarter_disc.h>
+#include <signorini/geometry/rack.h>
 #include <signorini/geometry/ring.h>
 #include <signorini/geometry/tube.h>
 #include <signorini/input_error.h>
@@ -58,6 +62,10 @@ namespace Signorini
         {"half disc", &HalfBall<2>::declare_parameters, &make<2, HalfBall<2>>},
         {"half ball", &QuarterDisc::declare_parameters, &make<2, QuarterDisc>},
         {"ring", &Ring::declare_parameters, &make<2, Ring>},
+        {"blade root", &BladeRoot::declare_parameters, &make<2, BladeRoot>},
+        {"disc sector", &DiscSector::declare_parameters, &make<2, DiscSector>},
+        {"pinion", &Pinion::declare_parameters, &make<2, Pinion>},
+        {"rack", &Rack::declare_parameters, &make<2, Rack>},
         {"file", &MeshFile<2>::declare_parameters, &make_file<2>}};
       return list;
     }
