@@ -40,7 +40,9 @@ namespace Signorini
           for (const auto &node : part.body->nodes())
             for (const unsigned int dof : node.dofs)
               touched = touched || is_touched[dof];
-          for (auto &mode : free_rigid_modes(*part.body, solid.is_fixed()))
+          for (auto &mode : free_rigid_modes(*part.body,
+                                             solid.is_given(),
+                                             part.supports.sliding_nodes()))
             motions.push_back({"Body " + part.body->name(),
                                "Fix it in its section Supports",
                                mode,

@@ -107,10 +107,11 @@ namespace Signorini
     // they do not prevent.
     template <int dim>
     FullMatrix<double>
-    gram_matrix(const Body<dim>                &body,
-                const std::vector<bool>        &is_fixed,
-                const Frame<dim>               &frame,
-                const std::vector<RigidMotion> &motions)
+    gram_matrix(const Body<dim>                     &body,
+                const std::vector<bool>             &is_fixed,
+                const std::vector<SlidingNode<dim>> &sliding_nodes,
+                const Frame<dim>                    &frame,
+                const std::vector<RigidMotion>      &motions)
     {
       FullMatrix<double> gram(motions.size());
       for (const auto &node : body.nodes())
@@ -122,6 +123,17 @@ namespace Signorini
                   const auto r = frame.arm(node.point);
                   gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
                 }
+      for (const auto &[node, normal] : sliding_nodes)
+        {
+          const auto     r = frame.arm(node.point);
+          Vector<double> along(motions.size());
+          for (unsigned int i = 0; i < motions.size(); ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              along[i] += motions[i].value(r, c) * normal[c];
+          for (unsigned int i = 0; i < motions.size(); ++i)
+            for (unsigned int j = 0; j < motions.size(); ++j)
+              gram(i, j) += along[i] * along[j];
+        }
       return gram;
     }
   } // namespace
@@ -130,11 +142,13 @@ namespace Signorini
 
   template <int dim>
   std::string
-  free_rigid_motion(const Body<dim> &body, const std::vector<bool> &is_fixed)
+  free_rigid_motion(const Body<dim>                     &body,
+                    const std::vector<bool>             &is_fixed,
+                    const std::vector<SlidingNode<dim>> &sliding_nodes)
   {
     const auto               motions = rigid_motions(body.formulation());
     const FullMatrix<double> gram =
-      gram_matrix(body, is_fixed, Frame<dim>(body), motions);
+      gram_matrix(body, is_fixed, sliding_nodes, Frame<dim>(body), motions);
 
     // A rotation about a fixed point moves the centre, too: translations count
     // only when they are possible without any rotation.
@@ -153,11 +167,14 @@ namespace Signorini
 
   template <int dim>
   std::vector<RigidMode>
-  free_rigid_modes(const Body<dim> &body, const std::vector<bool> &is_fixed)
+  free_rigid_modes(const Body<dim>                     &body,
+                   const std::vector<bool>             &is_fixed,
+                   const std::vector<SlidingNode<dim>> &sliding_nodes)
   {
     const Frame<dim>         frame(body);
     const auto               motions = rigid_motions(body.formulation());
-    const FullMatrix<double> gram = gram_matrix(body, is_fixed, frame, motions);
+    const FullMatrix<double> gram =
+      gram_matrix(body, is_fixed, sliding_nodes, frame, motions);
     LAPACKFullMatrix<double> matrix(motions.size());
     matrix = gram;
     FullMatrix<double> vectors;
@@ -195,11 +212,19 @@ namespace Signorini
 
 
   template std::string
-  free_rigid_motion(const Body<2> &, const std::vector<bool> &);
+  free_rigid_motion(const Body<2> &,
+                    const std::vector<bool> &,
+                    const std::vector<SlidingNode<2>> &);
   template std::string
-  free_rigid_motion(const Body<3> &, const std::vector<bool> &);
+  free_rigid_motion(const Body<3> &,
+                    const std::vector<bool> &,
+                    const std::vector<SlidingNode<3>> &);
   template std::vector<RigidMode>
-  free_rigid_modes(const Body<2> &, const std::vector<bool> &);
+  free_rigid_modes(const Body<2> &,
+                   const std::vector<bool> &,
+                   const std::vector<SlidingNode<2>> &);
   template std::vector<RigidMode>
-  free_rigid_modes(const Body<3> &, const std::vector<bool> &);
+  free_rigid_modes(const Body<3> &,
+                   const std::vector<bool> &,
+                   const std::vector<SlidingNode<3>> &);
 } // namespace Signorini

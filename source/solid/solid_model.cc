@@ -35,6 +35,45 @@ namespace Signorini
             constraints.add_entry(line.index + shift, dof + shift, weight);
         }
     }
+    // n . u = 0: the component that moves most along the normal follows the
+    // others. A hanging node follows nodes of the same plane already.
+    template <int dim>
+    void
+    hold_in_plane(const Body<dim>           &body,
+                  const SlidingNode<dim>    &sliding,
+                  const std::vector<bool>   &is_given,
+                  const std::vector<bool>   &is_hanging,
+                  AffineConstraints<double> &constraints)
+    {
+      if (is_hanging[sliding.node.dofs[0]])
+        return;
+      const auto  &dofs     = sliding.node.dofs;
+      const auto  &normal   = sliding.normal;
+      unsigned int follower = dim;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (constraints.is_constrained(dofs[c]))
+            {
+              std::ostringstream message;
+              message << "Body " << body.name() << " / Supports / Sliding: two "
+                      << "boundaries meet at (" << sliding.node.point
+                      << "). Fix the node there, or let one of them slide.";
+              throw InputError(message.str());
+            }
+          if (!is_given[dofs[c]] &&
+              (follower == dim ||
+               std::abs(normal[c]) > std::abs(normal[follower])))
+            follower = c;
+        }
+      if (follower == dim || std::abs(normal[follower]) < 1e-6)
+        return;
+      constraints.add_line(dofs[follower]);
+      for (unsigned int c = 0; c < dim; ++c)
+        if (c != follower && normal[c] != 0.)
+          constraints.add_entry(dofs[follower],
+                                dofs[c],
+                                -normal[c] / normal[follower]);
+    }
   } // namespace
 
 
@@ -65,22 +104,29 @@ namespace Signorini
         loads_follow_       = loads_follow_ || part.loads.follow();
         supports_are_fixed_ = supports_are_fixed_ && part.supports.are_fixed();
       }
-    constraints_.close();
     n_dofs += lumped_.size();
     loads_vary_ = loads_vary_ || !lumped_.empty();
 
     is_hanging_.resize(n_dofs);
     for (const auto &line : constraints_.get_lines())
       is_hanging_[line.index] = true;
-    is_fixed_ = is_hanging_;
+    is_given_.resize(n_dofs);
     for (const auto &part : parts_)
-      part.supports.mark(is_fixed_);
+      part.supports.mark(is_given_);
     for (unsigned int l = 0; l < lumped_.size(); ++l)
       if (lumped_[l].motion)
         {
-          is_fixed_[first_lumped() + l] = true;
-          supports_are_fixed_           = false;
+          is_given_[n_dofs - lumped_.size() + l] = true;
+          supports_are_fixed_                    = false;
         }
+    for (const auto &part : parts_)
+      for (const auto &sliding : part.supports.sliding_nodes())
+        hold_in_plane(
+          *part.body, sliding, is_given_, is_hanging_, constraints_);
+    constraints_.close();
+    is_fixed_ = is_given_;
+    for (const auto &line : constraints_.get_lines())
+      is_fixed_[line.index] = true;
     force_.reinit(n_dofs);
     following_force_.reinit(n_dofs);
   }
@@ -175,7 +221,10 @@ namespace Signorini
     const double   softness = 1e-3 * mean;
     Vector<double> springs(n_dofs());
     for (const auto &part : parts_)
-      if (!free_rigid_motion(*part.body, is_fixed_).empty())
+      if (!free_rigid_motion(*part.body,
+                             is_given_,
+                             part.supports.sliding_nodes())
+             .empty())
         for (const auto &node : part.body->nodes())
           for (const unsigned int dof : node.dofs)
             springs[dof] = softness / part.body->nodes().size();

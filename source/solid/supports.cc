@@ -3,6 +3,8 @@
 #include <signorini/solid/supports.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 
 namespace Signorini
 {
@@ -10,6 +12,37 @@ namespace Signorini
 
   namespace
   {
+    // The normal of a plane boundary. @throws InputError if it is not plane.
+    template <int dim>
+    Tensor<1, dim>
+    plane_normal(const Body<dim> &body, const std::string &boundary)
+    {
+      const types::boundary_id id = body.mesh().boundary(boundary);
+      FEFaceValues<dim>        values(body.mapping(),
+                               body.scalar_fe(),
+                               QGauss<dim - 1>(2),
+                               update_normal_vectors);
+      Tensor<1, dim>           normal;
+      for (const auto &cell : body.dof_handler().active_cell_iterators())
+        for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->face(face)->at_boundary() ||
+                cell->face(face)->boundary_id() != id)
+              continue;
+            values.reinit(
+              static_cast<typename Triangulation<dim>::cell_iterator>(cell),
+              face);
+            for (const Tensor<1, dim> &next : values.get_normal_vectors())
+              if (normal.norm() == 0.)
+                normal = next;
+              else if ((next - normal).norm() > 1e-6)
+                throw InputError("the boundary \"" + boundary +
+                                 "\" is not plane. A node that stays in its "
+                                 "plane needs one; name plane parts apart.");
+          }
+      return normal;
+    }
+
     // The nodes a place of the .prm stands for: a boundary or `point x, y`.
     template <int dim>
     std::vector<Node<dim>>
@@ -53,6 +86,12 @@ namespace Signorini
                       "Displacements as functions of x, y (, z) and t: "
                       "`top: y = -1e-3*t ; x = 0 | right: x = 0.1*sin(t)'. "
                       "Unit: m.");
+    prm.declare_entry("Sliding",
+                      "",
+                      Patterns::Anything(),
+                      "Plane boundaries whose nodes stay in their plane, "
+                      "`side | cut': planes of symmetry that are not parallel "
+                      "to an axis.");
     prm.declare_entry("Absorbing",
                       "",
                       Patterns::Anything(),
@@ -97,6 +136,15 @@ namespace Signorini
               motions_.back().get());
         }
 
+    for (const std::string &boundary : split_list(prm.get("Sliding"), '|'))
+      try
+        {
+          add_sliding_nodes(body, boundary);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(section + "Sliding: " + error.what());
+        }
     for (const std::string &boundary : split_list(prm.get("Absorbing"), '|'))
       try
         {
@@ -121,6 +169,18 @@ namespace Signorini
     // fixed places and win at common corners.
     for (const auto &node : nodes)
       prescribed_.push_back({node.dofs[component], node.point, motion});
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::add_sliding_nodes(const Body<dim>   &body,
+                                   const std::string &boundary)
+  {
+    const Tensor<1, dim> normal = plane_normal(body, boundary);
+    for (const auto &node : body.boundary_nodes(boundary))
+      sliding_nodes_.push_back({node, normal});
   }
 
 

@@ -88,6 +88,13 @@ namespace Signorini
       return is_fixed_;
     }
 
+    /** Unknowns of given motion. Hanging nodes hold nothing by themselves. */
+    const std::vector<bool> &
+    is_given() const
+    {
+      return is_given_;
+    }
+
     /** Unknowns of hanging nodes, which follow their neighbours. */
     const std::vector<bool> &
     is_hanging() const
@@ -102,7 +109,7 @@ namespace Signorini
       return supports_are_fixed_;
     }
 
-    /** Constraints of hanging nodes. */
+    /** Constraints of hanging and of sliding nodes. */
     const dealii::AffineConstraints<double> &
     constraints() const
     {
@@ -247,6 +254,7 @@ namespace Signorini
     dealii::Vector<double>            proximal_stiffness_;
     dealii::AffineConstraints<double> constraints_;
     std::vector<bool>                 is_hanging_;
+    std::vector<bool>                 is_given_;
     std::vector<bool>                 is_fixed_;
     MassRedistribution                redistribution_;
     dealii::SparsityPattern           sparsity_;

@@ -11,10 +11,18 @@
 
 namespace Signorini
 {
+  /** A node that cannot move along a direction. */
+  template <int dim>
+  struct SlidingNode
+  {
+    Node<dim>              node;
+    dealii::Tensor<1, dim> normal; // unit vector
+  };
+
   /**
    * The unknowns of a body whose motion is given: fixed ones and those that
-   * follow a function of place and time. And the boundaries at which waves
-   * leave the body.
+   * follow a function of place and time. Nodes that slide along a plane
+   * boundary, and the boundaries at which waves leave the body.
    */
   template <int dim>
   class Supports
@@ -53,6 +61,13 @@ namespace Signorini
     bool
     are_fixed() const;
 
+    /** Nodes that slide along the plane of their boundary. */
+    const std::vector<SlidingNode<dim>> &
+    sliding_nodes() const
+    {
+      return sliding_nodes_;
+    }
+
     /** Boundaries on dashpots, see add_absorbing_boundaries(). */
     const std::set<dealii::types::boundary_id> &
     absorbing_boundaries() const
@@ -73,7 +88,12 @@ namespace Signorini
         const unsigned int            component,
         const SpaceTimeFunction<dim> *motion);
 
+    // Reads `Sliding'.
+    void
+    add_sliding_nodes(const Body<dim> &body, const std::string &boundary);
+
     std::vector<Prescribed>                              prescribed_;
+    std::vector<SlidingNode<dim>>                        sliding_nodes_;
     std::vector<std::unique_ptr<SpaceTimeFunction<dim>>> motions_;
     std::set<dealii::types::boundary_id>                 absorbing_boundaries_;
   };
