@@ -137,6 +137,14 @@ namespace Signorini
         auto of_pair = pair.constraint == ContactConstraint::mortar ?
                          mortar_points(placed) :
                          node_to_surface_points(placed);
+        if (pair.body->kinematics() == Kinematics::finite_strain)
+          {
+            const auto stretches = area_stretches(pair.surface,
+                                                  pair.body->formulation(),
+                                                  placed.positions);
+            for (unsigned int n = 0; n < of_pair.size(); ++n)
+              of_pair[n].area *= stretches[pair.node_of_candidate[n]];
+          }
         add_allowance(pair, now.time, of_pair);
         std::move(of_pair.begin(), of_pair.end(), std::back_inserter(points));
       }

@@ -189,6 +189,36 @@ namespace Signorini
 
 
   template <int dim>
+  std::vector<double>
+  area_stretches(const ContactorSurface<dim>   &surface,
+                 const Formulation              formulation,
+                 const std::vector<Point<dim>> &positions)
+  {
+    std::vector<Point<dim>> reference;
+    for (const auto &node : surface.nodes)
+      reference.push_back(node.point);
+    const auto size = [&](const std::vector<unsigned int> &piece,
+                          const std::vector<Point<dim>>   &places) {
+      double radius = 1.;
+      if (formulation == Formulation::axisymmetric)
+        radius = 0.5 * (places[piece[0]][0] + places[piece[1]][0]);
+      return radius * size_normal<dim>(piece, places).norm();
+    };
+    std::vector<double> before(positions.size()), now(positions.size());
+    for (const auto &piece : surface.faces)
+      for (const unsigned int node : piece)
+        {
+          before[node] += size(piece, reference);
+          now[node] += size(piece, positions);
+        }
+    for (unsigned int n = 0; n < now.size(); ++n)
+      now[n] = before[n] > 0. ? now[n] / before[n] : 1.;
+    return now;
+  }
+
+
+
+  template <int dim>
   std::vector<Tensor<1, dim>>
   node_normals(const ContactorSurface<dim>   &surface,
                const std::vector<Point<dim>> &positions)
@@ -213,6 +243,14 @@ namespace Signorini
   node_positions(const std::vector<Node<2>> &, const Vector<double> &);
   template std::vector<Point<3>>
   node_positions(const std::vector<Node<3>> &, const Vector<double> &);
+  template std::vector<double>
+  area_stretches(const ContactorSurface<2> &,
+                 const Formulation,
+                 const std::vector<Point<2>> &);
+  template std::vector<double>
+  area_stretches(const ContactorSurface<3> &,
+                 const Formulation,
+                 const std::vector<Point<3>> &);
   template std::vector<Tensor<1, 2>>
   node_normals(const ContactorSurface<2> &, const std::vector<Point<2>> &);
   template std::vector<Tensor<1, 3>>

@@ -12,16 +12,19 @@ namespace Signorini
   {
     // Weaker than this, the solutions of the interface problem have lost more
     // digits than the tolerances allow.
-    constexpr double smallest_pivot_ratio = 1e-6;
+    constexpr double weakest_pivot = 1e-6;
 
-    // False if the matrix is not positive definite, or hardly.
+    // False if the matrix is not positive definite, or too weak.
     bool
-    set_if_definite(const FullMatrix<double> &matrix, InterfaceProblem &problem)
+    set_if_definite(const FullMatrix<double> &matrix,
+                    const double              weakest,
+                    InterfaceProblem         &problem)
     {
       try
         {
           auto       stiffness = InterfaceStiffness::from_matrix(matrix);
-          const bool is_strong = stiffness.pivot_ratio() > smallest_pivot_ratio;
+          const bool is_strong =
+            weakest == 0. || stiffness.smallest_pivot() > weakest;
           if (is_strong)
             problem.set_stiffness(std::move(stiffness));
           return is_strong;
@@ -39,7 +42,7 @@ namespace Signorini
                            InterfaceProblem   &problem)
     {
       double spring = 0.;
-      while (!set_if_definite(matrix, problem))
+      while (!set_if_definite(matrix, weakest_pivot, problem))
         {
           const double next = std::max(1e-6 * largest, 3. * spring);
           for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -87,6 +90,7 @@ namespace Signorini
     , algorithm_(std::move(algorithm))
     , solver_(std::make_unique<CholeskyCondensation>())
     , is_factorised_(false)
+    , may_be_weak_(false)
     , is_indefinite_(false)
     , indefinite_unknown_(0)
     , interface_spring_(0.)
@@ -125,6 +129,7 @@ namespace Signorini
       for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
         matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
     is_indefinite_    = false;
+    may_be_weak_      = tangent && factors.mass == 0.;
     interface_spring_ = 0.;
     try
       {
@@ -133,7 +138,7 @@ namespace Signorini
     catch (const NotPositiveDefinite &failure)
       {
         // Inertia makes K^ definite in steps that are short enough.
-        if (!tangent || factors.mass != 0.)
+        if (!may_be_weak_)
           throw;
         is_indefinite_      = true;
         indefinite_unknown_ = failure.unknown;
@@ -231,8 +236,9 @@ namespace Signorini
     Vector<double>                       &reduced_force)
   {
     problem_.set_contacts(contact_.constraints(points, coefficients));
+    const double weakest = may_be_weak_ ? weakest_pivot : 0.;
     if (contact_.is_flat() && interface_spring_ == 0. &&
-        stiffness_.pivot_ratio() > smallest_pivot_ratio)
+        (!may_be_weak_ || stiffness_.smallest_pivot() > weakest))
       {
         problem_.set_reduced_force(reduced_force);
         return;
@@ -243,7 +249,7 @@ namespace Signorini
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       stiffness(i, i) -= interface_spring_;
     contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
-    if (set_if_definite(stiffness, problem_))
+    if (set_if_definite(stiffness, weakest, problem_))
       {
         problem_.set_force(reduced_force);
         return;

@@ -34,6 +34,16 @@ namespace Signorini
                                                  chung_hulbert(0.);
     }
 
+    // What the multiplier of the interface problem is of the contact force that
+    // acts on a rigid body in its method, inverted: where every node has mass
+    // it is that force.
+    double
+    rigid_share(const TimeParameters &time)
+    {
+      return time.contact_mass == "consistent" ? 1. :
+                                                 1. / multiplier_factor(time);
+    }
+
     // Of a static step, relative to the bodies: beyond it forces are rounding.
     constexpr double largest_motion = 1e3;
 
@@ -139,7 +149,7 @@ namespace Signorini
     , scheme_(settings.time.scheme)
     , multiplier_factor_(multiplier_factor(settings.time))
     , rigid_scheme_(rigid_scheme(settings.time))
-    , rigid_share_((1. - rigid_scheme_.alpha_H) / multiplier_factor_)
+    , rigid_share_(rigid_share(settings.time))
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, multiplier_factor_),

@@ -199,17 +199,16 @@ namespace Signorini
 
 
   double
-  InterfaceStiffness::pivot_ratio() const
+  InterfaceStiffness::smallest_pivot() const
   {
-    if (n == 0)
-      return 1.;
-    double smallest = factor(0, 0), largest = factor(0, 0);
-    for (unsigned int i = 1; i < n; ++i)
-      {
-        smallest = std::min(smallest, factor(i, i));
-        largest  = std::max(largest, factor(i, i));
-      }
-    return smallest * smallest / (largest * largest);
+    std::vector<double> diagonal(n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = j; i < n; ++i)
+        diagonal[i] += factor(i, j) * factor(i, j);
+    double smallest = 1.;
+    for (unsigned int i = 0; i < n; ++i)
+      smallest = std::min(smallest, factor(i, i) * factor(i, i) / diagonal[i]);
+    return smallest;
   }
 
 

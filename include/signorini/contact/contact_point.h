@@ -30,7 +30,7 @@ namespace Signorini
     double gap = std::numeric_limits<double>::infinity(); // g, m
 
     // B, over which the contact force is spread, with the thickness or the
-    // circumference, m^2.
+    // circumference, m^2. With finite strains that of the deformed surface.
     double area = 0.;
 
     // Slip over the step along each tangent, m.

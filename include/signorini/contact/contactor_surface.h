@@ -44,6 +44,17 @@ namespace Signorini
                  const dealii::Vector<double> &displacement);
 
   /**
+   * By how much the area that belongs to each node has grown: the size of the
+   * pieces around it, around an axis with their circumference, over that
+   * before the deformation. The thickness of plane bodies is left as it was.
+   */
+  template <int dim>
+  std::vector<double>
+  area_stretches(const ContactorSurface<dim>           &surface,
+                 const Formulation                      formulation,
+                 const std::vector<dealii::Point<dim>> &positions);
+
+  /**
    * Unit normals at the nodes, out of the body: the sum of those of the pieces
    * around, weighted by their size.
    */

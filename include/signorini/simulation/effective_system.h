@@ -148,6 +148,7 @@ namespace Signorini
     std::unique_ptr<CondensedSolver>    solver_;
     dealii::SparseMatrix<double>        matrix_;
     bool                                is_factorised_;
+    bool                                may_be_weak_; // static, not linear
     bool                                is_indefinite_;
     unsigned int                        indefinite_unknown_;
     double                              interface_spring_; // N/m

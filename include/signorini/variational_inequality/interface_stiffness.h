@@ -89,10 +89,10 @@ namespace Signorini
       return lower[i + std::size_t(j) * n];
     }
 
-    /** Smallest over largest diagonal entry of L, squared: a lower bound of
-     * the condition number has this as its inverse. 1 if n = 0. */
+    /** The smallest of L_ii^2/S_ii: what the rows before leave of a diagonal
+     * entry. Small if S is nearly singular, whatever its units. 1 if n = 0. */
     double
-    pivot_ratio() const;
+    smallest_pivot() const;
 
     /** S itself, O(n^3): to add to it, or to look at it. */
     dealii::FullMatrix<double>
