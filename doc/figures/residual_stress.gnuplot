@@ -1,5 +1,5 @@
 # Radial stress on the axis after the shot has left, over the yield stress, against the
-# depth below the dent (figure 26 of Meguid & Czekanski). Means over 4 to 10 us.
+# depth below the dent (figure 26 of Meguid & Czekanski). The waves are taken out.
 
 name   = 'residual_stress'
 height = 460
