@@ -7,6 +7,7 @@
 
 #include "fir_tree_measures.h"
 #include "fir_tree_sets.h"
+#include "random_sets.h"
 
 using Signorini::FirTreeJoint;
 using Signorini::Mesh;
@@ -35,7 +36,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_cells)
 
 BOOST_AUTO_TEST_CASE(random_joints)
 {
-  for (const std::string &lines : random_joint_lines(20, 2))
+  for (const std::string &lines : random_joint_lines(n_random_sets, 2))
     BOOST_TEST_CONTEXT(lines)
     {
       const FirTreeJoint joint = joint_from(lines);

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "gear_errors.h"
+#include "random_sets.h"
 
 using dealii::Point;
 using dealii::Tensor;
@@ -202,7 +203,7 @@ BOOST_AUTO_TEST_CASE(random_pinions_and_racks)
     {
       GearReference::Random random;
       unsigned int          n_valid = 0, n_refused = 0;
-      while (n_valid < 20)
+      while (n_valid < n_random_sets)
         {
           const Gear        gear  = random_gear(random);
           const Place       place = random_place(gear, random);
