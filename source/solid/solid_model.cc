@@ -5,78 +5,17 @@
 #include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/solid_model.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <limits>
 #include <sstream>
 
 #include "condensed_diagonal.h"
+#include "node_constraints.h"
 
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    template <int dim>
-    void
-    add_hanging_nodes(const Body<dim>           &body,
-                      AffineConstraints<double> &constraints)
-    {
-      AffineConstraints<double> local;
-      DoFTools::make_hanging_node_constraints(body.dof_handler(), local);
-      local.close();
-      const unsigned int shift = body.first_dof();
-      for (const auto &line : local.get_lines())
-        {
-          constraints.add_line(line.index + shift);
-          for (const auto &[dof, weight] : line.entries)
-            constraints.add_entry(line.index + shift, dof + shift, weight);
-        }
-    }
-    // n . u = 0: the component that moves most along the normal follows the
-    // others. A hanging node follows nodes of the same plane already.
-    template <int dim>
-    void
-    hold_in_plane(const Body<dim>           &body,
-                  const SlidingNode<dim>    &sliding,
-                  const std::vector<bool>   &is_given,
-                  const std::vector<bool>   &is_hanging,
-                  AffineConstraints<double> &constraints)
-    {
-      if (is_hanging[sliding.node.dofs[0]])
-        return;
-      const auto  &dofs     = sliding.node.dofs;
-      const auto  &normal   = sliding.normal;
-      unsigned int follower = dim;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          if (constraints.is_constrained(dofs[c]))
-            {
-              std::ostringstream message;
-              message << "Body " << body.name() << " / Supports / Sliding: two "
-                      << "boundaries meet at (" << sliding.node.point
-                      << "). Fix the node there, or let one of them slide.";
-              throw InputError(message.str());
-            }
-          if (!is_given[dofs[c]] &&
-              (follower == dim ||
-               std::abs(normal[c]) > std::abs(normal[follower])))
-            follower = c;
-        }
-      if (follower == dim || std::abs(normal[follower]) < 1e-6)
-        return;
-      constraints.add_line(dofs[follower]);
-      for (unsigned int c = 0; c < dim; ++c)
-        if (c != follower && normal[c] != 0.)
-          constraints.add_entry(dofs[follower],
-                                dofs[c],
-                                -normal[c] / normal[follower]);
-    }
-  } // namespace
-
-
 
   template <int dim>
   SolidModel<dim>::SolidModel(std::vector<Part>          parts,
