@@ -42,12 +42,6 @@ namespace Signorini
                      const bool         is_upper) const;
 
       void
-      add_to_middle(const Polyline &surface,
-                    const Polyline &above,
-                    const Polyline &below,
-                    Patchwork      &patchwork) const;
-
-      void
       add_shank(const Polyline &below, Patchwork &patchwork) const;
     };
 
@@ -83,27 +77,13 @@ namespace Signorini
 
 
     void
-    BladeMesh::add_to_middle(const Polyline &surface,
-                             const Polyline &above,
-                             const Polyline &below,
-                             Patchwork      &patchwork) const
-    {
-      const Polyline middle =
-        straight_line(above.back(), below.back(), positions_along(surface));
-      patchwork.add({surface, middle, above, below});
-      patchwork.mark_boundary(middle, FirTreeBoundary::symmetry);
-    }
-
-
-
-    void
     BladeMesh::add_shank(const Polyline &below, Patchwork &patchwork) const
     {
       const Polyline &surface = layer.band.inner(0);
       const Polyline  top     = straight_line(surface.front(),
                                          spine.foot(surface.front()),
                                          positions_along(below));
-      add_to_middle(surface, top, below, patchwork);
+      patchwork.add_to_boundary(surface, top, below, FirTreeBoundary::symmetry);
       patchwork.mark_boundary(top, FirTreeBoundary::end);
       patchwork.mark_boundary(layer.band.across(0), FirTreeBoundary::end);
     }
@@ -141,13 +121,19 @@ namespace Signorini
         {
           const Polyline &fillet = band.inner(4 * tooth + 1);
           const Polyline  upper  = line_to_middle(fillet.back(), tooth, true);
-          add_to_middle(fillet, above, upper, patchwork);
+          patchwork.add_to_boundary(fillet,
+                                    above,
+                                    upper,
+                                    FirTreeBoundary::symmetry);
 
           const Polyline base  = band.add_tooth_to(patchwork, 4 * tooth + 3);
           const Polyline lower = tooth + 1 == joint.n_teeth ?
                                    floor() :
                                    line_to_middle(base.back(), tooth, false);
-          add_to_middle(base, upper, lower, patchwork);
+          patchwork.add_to_boundary(base,
+                                    upper,
+                                    lower,
+                                    FirTreeBoundary::symmetry);
           above = lower;
         }
       patchwork.mark_boundary(band.across(layer.profile.size()),

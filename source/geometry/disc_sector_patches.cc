@@ -42,12 +42,6 @@ namespace Signorini
       line_to_bore(const Point<2> &start) const;
 
       void
-      add_to_side(const Polyline &surface,
-                  const Polyline &above,
-                  const Polyline &below,
-                  Patchwork      &patchwork) const;
-
-      void
       add_first_tooth(const Polyline &below, Patchwork &patchwork) const;
 
       void
@@ -113,20 +107,6 @@ namespace Signorini
                            growing_fractions(n_bore,
                                              layer.thickness / cells.n_layer /
                                                start.distance(end)));
-    }
-
-
-
-    void
-    DiscMesh::add_to_side(const Polyline &surface,
-                          const Polyline &above,
-                          const Polyline &below,
-                          Patchwork      &patchwork) const
-    {
-      const Polyline side =
-        straight_line(above.back(), below.back(), positions_along(surface));
-      patchwork.add({surface, side, above, below});
-      patchwork.mark_boundary(side, FirTreeBoundary::side);
     }
 
 
@@ -216,13 +196,19 @@ namespace Signorini
         {
           const Polyline &fillet = band.inner(v);
           const Polyline  below  = line_to_side(fillet.back(), v + 1);
-          add_to_side(fillet, above, below, patchwork);
+          patchwork.add_to_boundary(fillet,
+                                    above,
+                                    below,
+                                    FirTreeBoundary::side);
           above = below;
           if (v + 4 < n_pieces)
             {
               const Polyline base = band.add_tooth_to(patchwork, v + 2);
               const Polyline end  = line_to_side(base.back(), v + 4);
-              add_to_side(base, below, end, patchwork);
+              patchwork.add_to_boundary(base,
+                                        below,
+                                        end,
+                                        FirTreeBoundary::side);
               above = end;
             }
         }

@@ -178,6 +178,20 @@ namespace Signorini
 
 
   void
+  Patchwork::add_to_boundary(const Polyline          &surface,
+                             const Polyline          &above,
+                             const Polyline          &below,
+                             const types::boundary_id id)
+  {
+    const Polyline line =
+      straight_line(above.back(), below.back(), positions_along(surface));
+    add({surface, line, above, below});
+    mark_boundary(line, id);
+  }
+
+
+
+  void
   Patchwork::mark_boundary(const Polyline &line, const types::boundary_id id)
   {
     boundaries.push_back({line, id});

@@ -36,6 +36,16 @@ namespace Signorini
     void
     add(const Patch &patch);
 
+    /**
+     * Adds the patch between a surface and the straight boundary @p id opposite
+     * to it, which goes from the last point of @p above to that of @p below.
+     */
+    void
+    add_to_boundary(const Polyline                  &surface,
+                    const Polyline                  &above,
+                    const Polyline                  &below,
+                    const dealii::types::boundary_id id);
+
     /** These edges belong to the boundary with this id; others have the id 0.
      */
     void
