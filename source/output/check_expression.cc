@@ -56,6 +56,12 @@ namespace Signorini
         {"time", {Subject::condition, {1}, "time(column > value, switch k)"}},
         {"field_max", {Subject::field, {0}, "field_max(field)"}},
         {"field_min", {Subject::field, {0}, "field_min(field)"}},
+        {"x_of_max", {Subject::field, {0}, "x_of_max(field)"}},
+        {"y_of_max", {Subject::field, {0}, "y_of_max(field)"}},
+        {"z_of_max", {Subject::field, {0}, "z_of_max(field)"}},
+        {"x_of_min", {Subject::field, {0}, "x_of_min(field)"}},
+        {"y_of_min", {Subject::field, {0}, "y_of_min(field)"}},
+        {"z_of_min", {Subject::field, {0}, "z_of_min(field)"}},
         {"field",
          {Subject::field,
           {2, 3},
@@ -148,6 +154,20 @@ namespace Signorini
       return value;
     }
 
+    // Of the first node with this value; NaN if there is none, since a value
+    // is not a number.
+    double
+    coordinate_of_extreme(const NodalField  &field,
+                          const unsigned int component,
+                          const double       value)
+    {
+      const auto at =
+        std::find(field.values.begin(), field.values.end(), value);
+      return at == field.values.end() ?
+               std::numeric_limits<double>::quiet_NaN() :
+               field.points[at - field.values.begin()][component];
+    }
+
     double
     evaluate_field(const std::string         &function,
                    const NodalField          &field,
@@ -163,6 +183,12 @@ namespace Signorini
         return maximum(values);
       if (function == "field_min")
         return minimum(values);
+      if (function != "field")
+        return coordinate_of_extreme(field,
+                                     function[0] - 'x',
+                                     function.substr(5) == "max" ?
+                                       maximum(values) :
+                                       minimum(values));
       return value_at_nearest_node(field, arguments);
     }
 

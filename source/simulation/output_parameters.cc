@@ -54,6 +54,13 @@ namespace Signorini
                       "step to the log, relative to the largest force. Where "
                       "a step does not converge they show why; else each is "
                       "about the square of the last.");
+    prm.declare_entry("Fringe value",
+                      "0",
+                      Patterns::Double(0.),
+                      "Difference of the principal stresses in the plane "
+                      "from one fringe of a photoelastic picture to the "
+                      "next: adds the field fringe_order, (sigma_1 - "
+                      "sigma_2)/value; 0: none. Unit: Pa.");
     prm.declare_entry("Monitor",
                       "",
                       Patterns::Anything(),
@@ -92,6 +99,7 @@ namespace Signorini
       parameters.interface_times.push_back(
         parse_number(time, "Output / Interface problems at"));
     parameters.logs_residuals = prm.get_bool("Residuals in log");
+    parameters.fringe_value   = prm.get_double("Fringe value");
     const std::string entry   = "Output / Monitor";
     for (const auto &[name, place] :
          parse_named_list(prm.get("Monitor"), entry))

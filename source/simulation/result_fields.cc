@@ -2,6 +2,7 @@
 #include <signorini/output/surface_table.h>
 #include <signorini/simulation/result_fields.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,27 +23,25 @@ namespace Signorini
       return result;
     }
 
-    template <int dim>
-    const std::vector<std::string> &
-    stress_names()
+    const std::vector<std::string> surface_quantities = {"pressure",
+                                                         "gap",
+                                                         "shear",
+                                                         "slip",
+                                                         "status"};
+    const std::string              fringe_order       = "fringe_order";
+
+    // (sigma_1 - sigma_2)/f of the stresses in the x-y plane.
+    Vector<double>
+    fringe_orders(const std::map<std::string, Vector<double>> &stresses,
+                  const double                                 fringe_value)
     {
-      static const std::vector<std::string> plane = {"stress_xx",
-                                                     "stress_yy",
-                                                     "stress_zz",
-                                                     "stress_xy",
-                                                     "von_mises",
-                                                     "maximum_shear",
-                                                     "plastic_strain"};
-      static const std::vector<std::string> solid = {"stress_xx",
-                                                     "stress_yy",
-                                                     "stress_zz",
-                                                     "stress_xy",
-                                                     "stress_yz",
-                                                     "stress_xz",
-                                                     "von_mises",
-                                                     "maximum_shear",
-                                                     "plastic_strain"};
-      return dim == 2 ? plane : solid;
+      const Vector<double> &xx = stresses.at("stress_xx");
+      const Vector<double> &yy = stresses.at("stress_yy");
+      const Vector<double> &xy = stresses.at("stress_xy");
+      Vector<double>        result(xx.size());
+      for (unsigned int n = 0; n < result.size(); ++n)
+        result[n] = std::hypot(xx[n] - yy[n], 2. * xy[n]) / fringe_value;
+      return result;
     }
 
     // A rigid body as a line that moves.
@@ -87,22 +86,54 @@ namespace Signorini
 
   template <int dim>
   std::vector<std::string>
+  ResultFields<dim>::stress_names() const
+  {
+    std::vector<std::string> list = StressRecovery<dim>::names();
+    if (problem_.output.fringe_value > 0.)
+      list.push_back(fringe_order);
+    return list;
+  }
+
+
+
+  template <int dim>
+  std::map<std::string, Vector<double>>
+  ResultFields<dim>::stresses(const unsigned int body) const
+  {
+    auto result = stresses_[body]->fields(
+      state_->displacement, problem_.solid->history_of(body, state_->history));
+    if (problem_.output.fringe_value > 0.)
+      result[fringe_order] =
+        fringe_orders(result, problem_.output.fringe_value);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
   ResultFields<dim>::names() const
   {
+    std::vector<std::string> quantities;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (const char *const vector : {"displacement_", "velocity_"})
+        quantities.push_back(vector + component_name(c));
+    for (const std::string &name : stress_names())
+      quantities.push_back(name);
+
     std::vector<std::string> list;
     for (const auto &part : problem_.solid->parts())
       {
-        const std::string prefix = part.body->name() + ".";
-        for (unsigned int c = 0; c < dim; ++c)
-          for (const char *const vector : {"displacement_", "velocity_"})
-            list.push_back(prefix + vector + component_name(c));
-        for (const auto &name : stress_names<dim>())
-          list.push_back(prefix + name);
+        std::vector<std::string> prefixes = {part.body->name() + "."};
+        for (const auto &[boundary, id] : part.body->mesh().boundaries)
+          prefixes.push_back(prefixes[0] + boundary + ".");
+        for (const std::string &prefix : prefixes)
+          for (const std::string &quantity : quantities)
+            list.push_back(prefix + quantity);
       }
     for (const auto &pair : problem_.contact->pairs())
-      for (const char *const name :
-           {".pressure", ".gap", ".shear", ".slip", ".status"})
-        list.push_back(pair.name + name);
+      for (const std::string &name : surface_quantities)
+        list.push_back(pair.name + "." + name);
     return list;
   }
 
@@ -113,53 +144,80 @@ namespace Signorini
   ResultFields<dim>::field(const std::string &name) const
   {
     Assert(state_ != nullptr, ExcNotInitialized());
-    NodalField        result;
-    const std::size_t dot      = name.rfind('.');
-    const std::string owner    = name.substr(0, dot);
-    const std::string quantity = name.substr(dot + 1);
+    const std::size_t last_dot = name.rfind('.');
+    const std::string owner    = name.substr(0, last_dot);
+    const std::string quantity = name.substr(last_dot + 1);
 
+    // Names of bodies have no dot.
+    const std::size_t dot  = owner.find('.');
+    const std::string body = owner.substr(0, dot);
+    const std::string boundary =
+      dot == std::string::npos ? std::string() : owner.substr(dot + 1);
+    for (const auto &pair : problem_.contact->pairs())
+      if (pair.name == owner && std::count(surface_quantities.begin(),
+                                           surface_quantities.end(),
+                                           quantity) > 0)
+        return surface_field(pair, quantity);
     for (unsigned int b = 0; b < problem_.solid->parts().size(); ++b)
+      if (problem_.solid->parts()[b].body->name() == body)
+        return body_field(b, boundary, quantity);
+    Assert(false, ExcMessage("There is no field " + name));
+    return {};
+  }
+
+
+
+  template <int dim>
+  NodalField
+  ResultFields<dim>::body_field(const unsigned int b,
+                                const std::string &boundary,
+                                const std::string &quantity) const
+  {
+    NodalField        result;
+    const Body<dim>  &body       = *problem_.solid->parts()[b].body;
+    const std::size_t underscore = quantity.find('_');
+    const std::string vector     = quantity.substr(0, underscore);
+    if (vector == "displacement" || vector == "velocity")
       {
-        const Body<dim> &body = *problem_.solid->parts()[b].body;
-        if (body.name() != owner)
-          continue;
-        const std::size_t underscore = quantity.find('_');
-        const std::string vector     = quantity.substr(0, underscore);
-        if (vector == "displacement" || vector == "velocity")
+        const unsigned int component =
+          parse_component<dim>(quantity.substr(underscore + 1),
+                               "Expected results");
+        const Vector<double> &values =
+          vector == "velocity" ? state_->velocity : state_->displacement;
+        for (const auto &node :
+             boundary.empty() ? body.nodes() : body.boundary_nodes(boundary))
           {
-            const unsigned int component =
-              parse_component<dim>(quantity.substr(underscore + 1),
-                                   "Expected results");
-            const Vector<double> &values =
-              vector == "velocity" ? state_->velocity : state_->displacement;
-            for (const auto &node : body.nodes())
-              {
-                result.points.push_back(in_space(node.point));
-                result.values.push_back(values[node.dofs[component]]);
-              }
-            return result;
+            result.points.push_back(in_space(node.point));
+            result.values.push_back(values[node.dofs[component]]);
           }
-        const auto values =
-          stresses_[b]
-            ->fields(state_->displacement,
-                     problem_.solid->history_of(b, state_->history))
-            .at(quantity);
-        for (const auto &point : stresses_[b]->points())
-          result.points.push_back(in_space(point));
-        result.values.assign(values.begin(), values.end());
         return result;
       }
+    const Vector<double> values = stresses(b).at(quantity);
+    const auto           points = stresses_[b]->points();
+    for (const unsigned int n : boundary.empty() ?
+                                  complete_index_set(values.size()) :
+                                  stresses_[b]->boundary_nodes(boundary))
+      {
+        result.points.push_back(in_space(points[n]));
+        result.values.push_back(values[n]);
+      }
+    return result;
+  }
 
-    for (const auto &pair : problem_.contact->pairs())
-      if (pair.name == owner)
-        {
-          const SurfaceData<dim> data = surface_data(pair);
-          for (const auto &node : data.nodes)
-            result.points.push_back(in_space(node));
-          for (const auto &[field_name, values] : data.scalar_fields)
-            if (field_name == quantity)
-              result.values = values;
-        }
+
+
+  template <int dim>
+  NodalField
+  ResultFields<dim>::surface_field(const ContactPair<dim> &pair,
+                                   const std::string      &quantity) const
+  {
+    NodalField             result;
+    const SurfaceData<dim> data = surface_data(pair);
+    for (const auto &node : data.nodes)
+      result.points.push_back(in_space(node));
+    for (const auto &[name, values] : data.scalar_fields)
+      if (name == quantity)
+        result.values = values;
     return result;
   }
 
@@ -226,14 +284,12 @@ namespace Signorini
   {
     // The writer takes views; what they look at is kept here meanwhile.
     const auto &parts = problem_.solid->parts();
-    std::vector<std::map<std::string, Vector<double>>> stresses;
+    std::vector<std::map<std::string, Vector<double>>> all_stresses;
     std::vector<Vector<double>>                        displacements;
     std::vector<Vector<double>>                        velocities;
     for (unsigned int b = 0; b < parts.size(); ++b)
       {
-        stresses.push_back(
-          stresses_[b]->fields(state_->displacement,
-                               problem_.solid->history_of(b, state_->history)));
+        all_stresses.push_back(stresses(b));
         displacements.push_back(parts[b].body->extract(state_->displacement));
         velocities.push_back(parts[b].body->extract(state_->velocity));
       }
@@ -246,8 +302,8 @@ namespace Signorini
         body.displacement       = &displacements[b];
         body.velocity           = &velocities[b];
         body.scalar_dof_handler = &stresses_[b]->dof_handler();
-        for (const auto &name : stress_names<dim>())
-          body.nodal_fields.emplace_back(name, &stresses[b].at(name));
+        for (const auto &name : stress_names())
+          body.nodal_fields.emplace_back(name, &all_stresses[b].at(name));
         bodies.push_back(body);
       }
     fields.write(bodies, state_->time);

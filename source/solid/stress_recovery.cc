@@ -12,21 +12,25 @@ namespace Signorini
 
   namespace
   {
-    using Component = std::pair<unsigned int, unsigned int>;
+    struct Component
+    {
+      std::string  name;
+      unsigned int i, j;
+    };
 
     // Those that a picture needs; in the plane xz and yz vanish.
     template <int dim>
-    std::map<std::string, Component>
+    std::vector<Component>
     components()
     {
-      std::map<std::string, Component> list = {{"stress_xx", {0, 0}},
-                                               {"stress_yy", {1, 1}},
-                                               {"stress_zz", {2, 2}},
-                                               {"stress_xy", {0, 1}}};
+      std::vector<Component> list = {{"stress_xx", 0, 0},
+                                     {"stress_yy", 1, 1},
+                                     {"stress_zz", 2, 2},
+                                     {"stress_xy", 0, 1}};
       if (dim == 3)
         {
-          list["stress_yz"] = {1, 2};
-          list["stress_xz"] = {0, 2};
+          list.push_back({"stress_yz", 1, 2});
+          list.push_back({"stress_xz", 0, 2});
         }
       return list;
     }
@@ -35,13 +39,6 @@ namespace Signorini
     von_mises(const SymmetricTensor<2, 3> &stress)
     {
       return std::sqrt(1.5) * deviator(stress).norm();
-    }
-
-    double
-    maximum_shear(const SymmetricTensor<2, 3> &stress)
-    {
-      const auto principal = eigenvalues(stress);
-      return 0.5 * (principal[0] - principal[2]);
     }
 
     // The matrix that takes values at the quadrature points of a cell to its
@@ -84,6 +81,27 @@ namespace Signorini
 
 
   template <int dim>
+  const std::vector<std::string> &
+  StressRecovery<dim>::names()
+  {
+    static const std::vector<std::string> list = [] {
+      std::vector<std::string> names;
+      for (const Component &component : components<dim>())
+        names.push_back(component.name);
+      for (const char *const name : {"von_mises",
+                                     "maximum_shear",
+                                     "principal_max",
+                                     "principal_min",
+                                     "plastic_strain"})
+        names.emplace_back(name);
+      return names;
+    }();
+    return list;
+  }
+
+
+
+  template <int dim>
   std::map<std::string, Vector<double>>
   StressRecovery<dim>::fields(const Vector<double>         &displacement,
                               const ArrayView<const double> history) const
@@ -114,23 +132,34 @@ namespace Signorini
       }
 
     std::map<std::string, Vector<double>> result;
-    for (const auto &[name, component] : components<dim>())
+    for (const std::string &name : names())
       result[name].reinit(n_nodes);
-    Vector<double> &mises = result["von_mises"];
-    Vector<double> &shear = result["maximum_shear"];
-    mises.reinit(n_nodes);
-    shear.reinit(n_nodes);
+    const auto all_components = components<dim>();
     for (unsigned int n = 0; n < n_nodes; ++n)
       {
         stress[n] /= n_cells[n];
         plastic_strain[n] /= n_cells[n];
-        for (const auto &[name, component] : components<dim>())
-          result[name][n] = stress[n][component.first][component.second];
-        mises[n] = von_mises(stress[n]);
-        shear[n] = maximum_shear(stress[n]);
+        for (const Component &component : all_components)
+          result[component.name][n] = stress[n][component.i][component.j];
+        const auto principal       = eigenvalues(stress[n]);
+        result["von_mises"][n]     = von_mises(stress[n]);
+        result["principal_max"][n] = principal[0];
+        result["principal_min"][n] = principal[2];
+        result["maximum_shear"][n] = 0.5 * (principal[0] - principal[2]);
       }
     result["plastic_strain"] = std::move(plastic_strain);
     return result;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  StressRecovery<dim>::boundary_nodes(const std::string &boundary) const
+  {
+    return DoFTools::extract_boundary_dofs(dof_handler_,
+                                           ComponentMask(),
+                                           {body_->mesh().boundary(boundary)});
   }
 
 

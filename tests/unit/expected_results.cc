@@ -39,7 +39,7 @@ namespace
     NodalField
     field(const std::string &) const override
     {
-      return {{{0., 0., 0.}, {2., 0., 0.}, {0., 2., 0.}, {2., 2., 0.}},
+      return {{{0., 0., 0.}, {2., 0., 0.}, {0., 2., 0.}, {2., 3., 0.5}},
               {0., 20., 2., 22.}};
     }
   };
@@ -123,6 +123,10 @@ BOOST_AUTO_TEST_CASE(functions_of_fields)
 {
   BOOST_TEST(value("field_max(beam.von_mises)") == 22.);
   BOOST_TEST(value("field_min(beam.von_mises)") == 0.);
+  BOOST_TEST(value("x_of_max(beam.von_mises)") == 2.);
+  BOOST_TEST(value("y_of_max(beam.von_mises)") == 3.);
+  BOOST_TEST(value("z_of_max(beam.von_mises)") == 0.5);
+  BOOST_TEST(value("x_of_min(beam.von_mises)") == 0.);
   BOOST_TEST(value("field(beam.von_mises, 1.9, 0.2)") == 20.);
   BOOST_TEST(value("field(beam.von_mises, 0.9, 1.1, 0)") == 2.);
 }

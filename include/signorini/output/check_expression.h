@@ -22,6 +22,7 @@ namespace Signorini
    *   switches(C > N)              how often it changes its truth
    *   time(C > N, switch N)        when it does so for the N-th time
    *   field_max(F) field_min(F)    extreme of a nodal field at the end
+   *   x_of_max(F) y_of_min(F) ...  where it is, in the reference position
    *   field(F, N, N)  field(F, N, N, N)    its value at the node nearest to
    *                                        this reference position
    *

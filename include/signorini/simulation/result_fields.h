@@ -8,6 +8,7 @@
 #include <signorini/simulation/state.h>
 #include <signorini/solid/stress_recovery.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,10 +17,10 @@ namespace Signorini
 {
   /**
    * The fields of a state: written for ParaView, and looked up by name for the
-   * expected results (BODY.displacement_x, BODY.stress_xx, BODY.von_mises, and
-   * PAIR.pressure, gap, shear (Pa, on the contactor, along the
-   * target's tangent), slip (m, since it closed) and status (0 open, 1 stick,
-   * 2 slip) on contact surfaces).
+   * expected results (BODY.displacement_x, BODY.stress_xx, BODY.von_mises, all
+   * of them also on a boundary, BODY.BOUNDARY.von_mises, and PAIR.pressure,
+   * gap, shear (Pa, on the contactor, along the target's tangent), slip (m,
+   * since it closed) and status (0 open, 1 stick, 2 slip) on contact surfaces).
    */
   template <int dim>
   class ResultFields : public FieldLookup
@@ -46,6 +47,22 @@ namespace Signorini
     write_contact_tables(const std::string &folder) const;
 
   private:
+    std::vector<std::string>
+    stress_names() const;
+
+    std::map<std::string, dealii::Vector<double>>
+    stresses(const unsigned int body) const;
+
+    // Of the whole body if the boundary is empty.
+    NodalField
+    body_field(const unsigned int body,
+               const std::string &boundary,
+               const std::string &quantity) const;
+
+    NodalField
+    surface_field(const ContactPair<dim> &pair,
+                  const std::string      &quantity) const;
+
     SurfaceData<dim>
     surface_data(const ContactPair<dim> &pair) const;
 

@@ -30,10 +30,15 @@ namespace Signorini
       return dof_handler_;
     }
 
+    /** Names of fields(), in the order of a list of results. */
+    static const std::vector<std::string> &
+    names();
+
     /**
      * stress_xx, ... (Cauchy, Pa; the formulation's third direction included),
-     * von_mises = sqrt(3/2 s:s), maximum_shear = half the difference of the
-     * extreme principal stresses, plastic_strain (equivalent).
+     * von_mises = sqrt(3/2 s:s), principal_max and principal_min (the largest
+     * and the smallest principal stress), maximum_shear = half their
+     * difference, plastic_strain (equivalent).
      *
      * @param displacement of all unknowns, m
      * @param history      of the points of the body, with this displacement
@@ -41,6 +46,10 @@ namespace Signorini
     std::map<std::string, dealii::Vector<double>>
     fields(const dealii::Vector<double>         &displacement,
            const dealii::ArrayView<const double> history) const;
+
+    /** The nodes on a boundary, in the count of dof_handler(). */
+    dealii::IndexSet
+    boundary_nodes(const std::string &boundary) const;
 
     /** Position of each node, in the count of dof_handler(). */
     std::vector<dealii::Point<dim>>
