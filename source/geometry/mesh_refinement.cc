@@ -2,6 +2,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_refinement.h>
+#include <signorini/geometry/refinement_passes.h>
 #include <signorini/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -262,10 +263,32 @@ namespace Signorini
       }
   }
 
+  template <int dim>
+  void
+  refine_again(const RefinementPasses &passes,
+               Triangulation<dim>     &triangulation)
+  {
+    for (const std::vector<bool> &flags : passes)
+      {
+        if (flags.size() != triangulation.n_active_cells())
+          throw InputError("The adaptive refinement does not fit the mesh.");
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (flags[cell->active_cell_index()])
+            cell->set_refine_flag();
+        refine_flagged(triangulation);
+      }
+  }
+
+
+
   template struct MeshRefinement<2>;
   template struct MeshRefinement<3>;
   template void
   refine_globally<2>(Triangulation<2> &, const unsigned int);
   template void
   refine_globally<3>(Triangulation<3> &, const unsigned int);
+  template void
+  refine_again<2>(const RefinementPasses &, Triangulation<2> &);
+  template void
+  refine_again<3>(const RefinementPasses &, Triangulation<3> &);
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/nearest_name.h>
 #include <signorini/output/check_expression.h>
 #include <signorini/output/check_syntax.h>
 #include <signorini/silenced_errors.h>
@@ -67,6 +68,26 @@ namespace Signorini
           {2, 3},
           "field(field, x, y) or field(field, x, y, z)"}}};
       return list;
+    }
+
+    std::string
+    owner(const std::string &field)
+    {
+      return field.substr(0, field.rfind('.'));
+    }
+
+    // Of the many fields those of the body, boundary or pair that was meant;
+    // if that is not known, those of bodies as a whole.
+    std::vector<std::string>
+    relatives(const std::string &wrong, const std::vector<std::string> &fields)
+    {
+      const std::string        meant = owner(nearest_name(wrong, fields));
+      std::vector<std::string> result;
+      for (const std::string &field : fields)
+        if (meant.empty() ? std::count(field.begin(), field.end(), '.') < 2 :
+                            owner(field) == meant)
+          result.push_back(field);
+      return result;
     }
 
     // muParser on a formula whose variables all have a value.
@@ -343,8 +364,9 @@ namespace Signorini
           {
             const std::vector<std::string> names = fields.names();
             if (std::count(names.begin(), names.end(), call.subject) == 0)
-              throw InputError("There is no field '" + call.subject + "'. " +
-                               list_of_names(call.subject, names));
+              throw InputError(
+                "There is no field '" + call.subject + "'. " +
+                list_of_names(call.subject, relatives(call.subject, names)));
           }
         else
           history.column_index(call.subject);

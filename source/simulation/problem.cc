@@ -158,6 +158,7 @@ namespace Signorini
       }
     ContactParameters::declare_parameters(outline.pairs, prm);
     TimeParameters::declare_parameters(prm);
+    AdaptivityParameters::declare_parameters(prm);
     OutputParameters<dim>::declare_parameters(prm);
   }
 
@@ -165,15 +166,18 @@ namespace Signorini
 
   template <int dim>
   Problem<dim>
-  Problem<dim>::create(const ProblemOutline &outline,
-                       const std::string    &directory,
-                       ParameterHandler     &prm)
+  Problem<dim>::create(const ProblemOutline                &outline,
+                       const std::string                   &directory,
+                       const std::vector<RefinementPasses> &passes,
+                       ParameterHandler                    &prm)
   {
     Problem         problem;
     const Constants constants =
       parse_constants(prm.get("Constants"), "Constants");
     problem.title = prm.get("Title");
     problem.time  = TimeParameters::parse(prm);
+    problem.adaptivity =
+      AdaptivityParameters::parse(problem.time.end_time, prm);
 
     const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
                                     Kinematics::finite_strain :
@@ -185,8 +189,15 @@ namespace Signorini
     for (const auto &name : outline.bodies)
       {
         prm.enter_subsection("Body " + name);
-        auto body = std::make_unique<Body<dim>>(
-          name, outline.formulation, kinematics, directory, n_dofs, prm);
+        auto body =
+          std::make_unique<Body<dim>>(name,
+                                      outline.formulation,
+                                      kinematics,
+                                      directory,
+                                      n_dofs,
+                                      passes.empty() ? RefinementPasses() :
+                                                       passes[parts.size()],
+                                      prm);
         n_dofs += body->n_dofs();
         Loads<dim>    loads(*body, constants, prm);
         Supports<dim> supports(*body, constants, prm);

@@ -3,7 +3,9 @@
 #include <signorini/output/log.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/timings.h>
+#include <signorini/simulation/adaptive_run.h>
 #include <signorini/simulation/input_record.h>
+#include <signorini/simulation/mesh_adaptation.h>
 #include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/parameter_file.h>
 #include <signorini/simulation/platform.h>
@@ -109,29 +111,36 @@ namespace Signorini
                                "\": is the disk full?");
     }
 
-    // Fills in folder and checkpoint, and returns what is wrong with newer
-    // ones.
+    // Fills in folder, checkpoint and refinements, and returns what is wrong
+    // with newer ones.
     std::vector<std::string>
     find_checkpoint(const std::string &base,
                     const std::string &parameter_file,
                     const std::string &folder,
-                    const double       end_time,
                     RunTask           &task)
     {
       task.folder =
         folder.empty() ? find_run_folder(base, parameter_file) : folder;
       FoundCheckpoint found = read_checkpoint(task.folder);
       refuse_changed_input(found.checkpoint.input, task.input);
-      if (found.checkpoint.geometry != task.geometry)
+      task.passes     = found.checkpoint.passes;
+      task.checkpoint = std::move(found.checkpoint);
+      return found.warnings;
+    }
+
+    template <int dim>
+    void
+    refuse_other_problem(const Problem<dim> &problem,
+                         const Checkpoint   &checkpoint)
+    {
+      if (checkpoint.geometry != geometry_checksum(problem))
         throw InputError("--resume: the meshes or profiles are not those of "
                          "the checkpoint: a file with a mesh or with points "
                          "was changed. Start the run anew without --resume.");
-      if (!StepPlan::is_met(end_time, found.checkpoint.time))
+      if (!StepPlan::is_met(problem.time.end_time, checkpoint.time))
         throw InputError("--resume: the End time lies before the checkpoint, "
                          "which is of t = " +
-                         shortest_exact(found.checkpoint.time) + " s.");
-      task.checkpoint = std::move(found.checkpoint);
-      return found.warnings;
+                         shortest_exact(checkpoint.time) + " s.");
     }
 
     // As one types it, with the folder, so that it is the right run.
@@ -144,6 +153,27 @@ namespace Signorini
              options.repeated_options + " --resume-from " + quoted(folder);
     }
 
+    // In the .prm, or on the command line.
+    std::string
+    output_base(const RunOptions &options, ParameterHandler &prm)
+    {
+      if (!options.output_directory.empty())
+        return options.output_directory;
+      prm.enter_subsection("Output");
+      const std::string directory = prm.get("Directory");
+      prm.leave_subsection();
+      return directory;
+    }
+
+    // Names in checks and quantities are wrong before the first step.
+    template <int dim>
+    void
+    check_quantities(const Problem<dim> &problem, Timings &timings)
+    {
+      Simulation<dim>(problem, timings);
+      MeshAdaptation<dim>{problem};
+    }
+
     template <int dim>
     void
     run_problem(const ParameterFile  &file,
@@ -154,34 +184,31 @@ namespace Signorini
       ParameterHandler prm;
       declare_problem_parameters<dim>(outline, prm);
       file.apply(prm);
-      const auto problem = [&] {
-        const auto timing = timings.measure("set-up");
-        return created_from(file, [&] {
-          return Problem<dim>::create(outline, file.directory(), prm);
-        });
-      }();
-      limit_blas_threads(n_useful_blas_threads(problem.solid->n_dofs()));
-      const auto simulation = created_from(file, [&] {
-        return std::make_unique<Simulation<dim>>(problem, timings);
-      });
+      const ProblemCreator<dim> create =
+        [&](const std::vector<RefinementPasses> &passes) {
+          const auto timing = timings.measure("set-up");
+          return created_from(file, [&] {
+            return Problem<dim>::create(outline, file.directory(), passes, prm);
+          });
+        };
+      const std::string base = output_base(options, prm);
+      RunTask           task;
+      task.max_steps = options.max_steps;
+      task.input     = input_entries(prm);
+      std::vector<std::string> warnings;
+      if (options.resume)
+        warnings = find_checkpoint(base, file.path(), *options.resume, task);
+
+      Problem<dim> problem = create(task.passes);
+      created_from(file, [&] { check_quantities(problem, timings); });
       if (options.check_only)
         {
           Log("").line(file.path() + ": the input is fine\n" +
                        description(problem));
           return;
         }
-
-      const std::string base = options.output_directory.empty() ?
-                                 problem.output.directory :
-                                 options.output_directory;
-      RunTask           task;
-      task.max_steps = options.max_steps;
-      task.input     = input_entries(prm);
-      task.geometry  = geometry_checksum(problem);
-      std::vector<std::string> warnings;
-      if (options.resume)
-        warnings = find_checkpoint(
-          base, file.path(), *options.resume, problem.time.end_time, task);
+      if (task.checkpoint)
+        refuse_other_problem(problem, *task.checkpoint);
       else
         task.folder = create_run_folder(base, file.path(), options.overwrite);
       const std::string &folder = task.folder;
@@ -193,12 +220,16 @@ namespace Signorini
       for (const std::string &warning : warnings)
         log.line(warning + " An older one is taken.");
       log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
-      log.line(description(problem));
       log.line("results in " + folder);
       write_parameters(prm, folder + "/parameters.prm");
       try
         {
-          simulation->run(task, log);
+          if (!task.checkpoint)
+            task.passes = adapt_meshes(create, folder, problem, timings, log);
+          limit_blas_threads(n_useful_blas_threads(problem.solid->n_dofs()));
+          log.line(description(problem));
+          task.geometry = geometry_checksum(problem);
+          Simulation<dim>(problem, timings).run(task, log);
         }
       catch (const ComputationError &error)
         {

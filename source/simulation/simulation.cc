@@ -282,6 +282,7 @@ namespace Signorini
                           record_.state.step,
                           task.input,
                           task.geometry,
+                          task.passes,
                           stream.str()});
         return true;
       }

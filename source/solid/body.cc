@@ -100,12 +100,13 @@ namespace Signorini
 
 
   template <int dim>
-  Body<dim>::Body(const std::string &name,
-                  const Formulation  formulation,
-                  const Kinematics   kinematics,
-                  const std::string &base_directory,
-                  const unsigned int first_dof,
-                  ParameterHandler  &prm)
+  Body<dim>::Body(const std::string      &name,
+                  const Formulation       formulation,
+                  const Kinematics        kinematics,
+                  const std::string      &base_directory,
+                  const unsigned int      first_dof,
+                  const RefinementPasses &passes,
+                  ParameterHandler       &prm)
     : name_(name)
     , formulation_(formulation)
     , kinematics_(kinematics)
@@ -136,6 +137,7 @@ namespace Signorini
                        " / Thickness: must be greater than zero, in m, "
                        "found " +
                        prm.get("Thickness") + ".");
+    refine_again(passes, *mesh_.triangulation);
     create_region_materials(base_directory, prm);
     choose_dilatation(prm);
     distribute_dofs(prm.get_integer("Element degree"));

@@ -34,7 +34,7 @@ namespace
     ParameterHandler     prm;
     declare_problem_parameters<2>(outline, prm);
     file.apply(prm);
-    return Problem<2>::create(outline, file.directory(), prm);
+    return Problem<2>::create(outline, file.directory(), {}, prm);
   }
 
 

@@ -1,4 +1,5 @@
 #include <signorini/geometry/boundary_distance.h>
+#include <signorini/geometry/refinement_passes.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -234,6 +235,35 @@ BOOST_AUTO_TEST_CASE(wrong_entries)
   // 4^30 cells: known before the work.
   BOOST_TEST(contains(error_from<2>("set Global refinements = 30\n"),
                       "more than 20 million cells"));
+}
+
+// Passes give the mesh that was refined step by step; wrong ones are refused.
+BOOST_AUTO_TEST_CASE(passes_again)
+{
+  auto                        first = mesh_from<2>(square);
+  Signorini::RefinementPasses passes;
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      std::vector<bool> flags(first.triangulation->n_active_cells(), false);
+      for (const auto &cell : first.triangulation->active_cell_iterators())
+        if (cell->center().norm() < 0.3)
+          {
+            flags[cell->active_cell_index()] = true;
+            cell->set_refine_flag();
+          }
+      first.triangulation->execute_coarsening_and_refinement();
+      passes.push_back(flags);
+    }
+  auto second = mesh_from<2>(square);
+  Signorini::refine_again(passes, *second.triangulation);
+  BOOST_TEST(census(first).size() == 4u);
+  BOOST_TEST(census(second) == census(first), boost::test_tools::per_element());
+  auto cell = second.triangulation->begin_active();
+  for (const auto &other : first.triangulation->active_cell_iterators())
+    BOOST_TEST((cell++)->center().distance(other->center()) == 0.);
+
+  BOOST_CHECK_THROW(Signorini::refine_again(passes, *second.triangulation),
+                    Signorini::InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -25,7 +25,7 @@ namespace Signorini
     Supports<dim>::declare_parameters(prm);
     prm.parse_input_from_string(section);
     auto body = std::make_unique<Body<dim>>(
-      name, formulation, kinematics, "", first_dof, prm);
+      name, formulation, kinematics, "", first_dof, RefinementPasses(), prm);
     Loads<dim>    loads(*body, {}, prm);
     Supports<dim> supports(*body, {}, prm);
     return {std::move(body), std::move(loads), std::move(supports)};

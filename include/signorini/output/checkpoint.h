@@ -1,6 +1,8 @@
 #ifndef signorini_output_checkpoint_h
 #define signorini_output_checkpoint_h
 
+#include <signorini/geometry/refinement_passes.h>
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -30,13 +32,14 @@ namespace Signorini
     unsigned int            step = 0;
     std::vector<InputEntry> input;
     unsigned int            geometry = 0; // checksum of meshes and outlines
-    std::string             run;          // an archive of all the rest
+    std::vector<RefinementPasses> passes; // adaptive ones, of each body
+    std::string                   run;    // an archive of all the rest
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &time &step &input &geometry &run;
+      archive &time &step &input &geometry &passes &run;
     }
   };
 
@@ -44,7 +47,7 @@ namespace Signorini
    * To be raised whenever the content of a checkpoint changes, in this file or
    * in what it holds: State, History, StepMemory and the like.
    */
-  constexpr unsigned int checkpoint_version = 1;
+  constexpr unsigned int checkpoint_version = 2;
 
   /** A checkpoint that was read, and what was wrong with newer ones. */
   struct FoundCheckpoint

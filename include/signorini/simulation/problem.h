@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
+#include <signorini/simulation/adaptivity_parameters.h>
 #include <signorini/simulation/contact_parameters.h>
 #include <signorini/simulation/output_parameters.h>
 #include <signorini/simulation/problem_outline.h>
@@ -28,6 +29,7 @@ namespace Signorini
     std::string                                  title;
     TimeParameters                               time;
     ContactParameters                            contact_parameters;
+    AdaptivityParameters                         adaptivity;
     OutputParameters<dim>                        output;
     std::vector<std::unique_ptr<RigidBody<dim>>> rigid_bodies;
     std::unique_ptr<SolidModel<dim>>             solid;
@@ -38,12 +40,15 @@ namespace Signorini
     /**
      * Makes the objects from a handler into which the file was applied.
      * @param directory of the .prm, where paths in it start
+     * @param passes refinements of each body beside those of the file; empty
+     *               for none
      * @throws InputError.
      */
     static Problem
-    create(const ProblemOutline     &outline,
-           const std::string        &directory,
-           dealii::ParameterHandler &prm);
+    create(const ProblemOutline                &outline,
+           const std::string                   &directory,
+           const std::vector<RefinementPasses> &passes,
+           dealii::ParameterHandler            &prm);
   };
 } // namespace Signorini
 

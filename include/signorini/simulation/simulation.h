@@ -25,12 +25,13 @@ namespace Signorini
   /** What a run is told beside its problem. */
   struct RunTask
   {
-    std::string                 folder;    // of the results; it exists
-    std::optional<unsigned int> max_steps; // regular ones; then stop
-    std::vector<InputEntry>     input;     // kept in checkpoints
-    unsigned int                geometry;  // the same, a checksum
-    std::string                 resume_command;
-    std::optional<Checkpoint>   checkpoint; // from which to go on, if it fits
+    std::string                   folder;    // of the results; it exists
+    std::optional<unsigned int>   max_steps; // regular ones; then stop
+    std::vector<InputEntry>       input;     // kept in checkpoints
+    unsigned int                  geometry;  // the same, a checksum
+    std::vector<RefinementPasses> passes;    // the same, of each body
+    std::string                   resume_command;
+    std::optional<Checkpoint>     checkpoint; // from which to go on, if it fits
   };
 
   /** The time loop of one run: steps, results, checkpoints, checks. */

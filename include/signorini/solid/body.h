@@ -2,6 +2,7 @@
 #define signorini_solid_body_h
 
 #include <signorini/geometry/mesh.h>
+#include <signorini/geometry/refinement_passes.h>
 #include <signorini/material/material.h>
 #include <signorini/solid/formulation.h>
 #include <signorini/space_time_function.h>
@@ -51,6 +52,7 @@ namespace Signorini
     /**
      * Reads the section, from inside it.
      * @param base_directory where the paths of mesh files start
+     * @param passes refinements beside those of the section
      * @throws InputError
      */
     Body(const std::string        &name,
@@ -58,6 +60,7 @@ namespace Signorini
          const Kinematics          kinematics,
          const std::string        &base_directory,
          const unsigned int        first_dof,
+         const RefinementPasses   &passes,
          dealii::ParameterHandler &prm);
 
     const std::string &

@@ -1,0 +1,35 @@
+#ifndef signorini_contact_contact_zone_h
+#define signorini_contact_contact_zone_h
+
+#include <signorini/contact/contact_pair.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /** Where the two surfaces of a pair press on each other. */
+  template <int dim>
+  struct ContactZone
+  {
+    std::vector<dealii::Point<dim>> points; // nodes with contact force, m
+
+    /**
+     * Of the surface in contact: its length in 2-D, the side of a square of its
+     * area in 3-D. Each face counts by the share of its nodes that have a
+     * contact force. Unit: m.
+     */
+    double width = 0.;
+  };
+
+  /**
+   * @param normal_forces of the candidates of all pairs, N
+   * @param displacement  of all unknowns, m
+   */
+  template <int dim>
+  ContactZone<dim>
+  contact_zone(const ContactPair<dim>       &pair,
+               const std::vector<double>    &normal_forces,
+               const dealii::Vector<double> &displacement);
+} // namespace Signorini
+
+#endif

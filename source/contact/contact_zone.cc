@@ -1,0 +1,65 @@
+#include <signorini/contact/contact_zone.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // Length of a piece of a line, area of a bilinear piece through its
+    // diagonals.
+    double
+    size_of_face(const std::vector<Point<2>>     &positions,
+                 const std::vector<unsigned int> &face)
+    {
+      return positions[face[0]].distance(positions[face[1]]);
+    }
+
+    double
+    size_of_face(const std::vector<Point<3>>     &positions,
+                 const std::vector<unsigned int> &face)
+    {
+      return 0.5 * cross_product_3d(positions[face[3]] - positions[face[0]],
+                                    positions[face[2]] - positions[face[1]])
+                     .norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactZone<dim>
+  contact_zone(const ContactPair<dim>    &pair,
+               const std::vector<double> &normal_forces,
+               const Vector<double>      &displacement)
+  {
+    const ContactorSurface<dim> &surface = pair.contactor;
+    const auto positions = node_positions(surface.nodes, displacement);
+    const auto is_closed = [&](const unsigned int node) {
+      return normal_forces[pair.first_contact + node] > 0.;
+    };
+    ContactZone<dim> zone;
+    for (unsigned int n = 0; n < positions.size(); ++n)
+      if (is_closed(n))
+        zone.points.push_back(positions[n]);
+    double size = 0.;
+    for (const auto &face : surface.faces)
+      size += size_of_face(positions, face) *
+              std::count_if(face.begin(), face.end(), is_closed) / face.size();
+    zone.width = dim == 2 ? size : std::sqrt(size);
+    return zone;
+  }
+
+
+
+  template ContactZone<2>
+  contact_zone(const ContactPair<2> &,
+               const std::vector<double> &,
+               const Vector<double> &);
+  template ContactZone<3>
+  contact_zone(const ContactPair<3> &,
+               const std::vector<double> &,
+               const Vector<double> &);
+} // namespace Signorini
