@@ -3,8 +3,11 @@
 #include <signorini/solid/supports.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/manifold.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace Signorini
 {
@@ -12,35 +15,63 @@ namespace Signorini
 
   namespace
   {
-    // The normal of a plane boundary. @throws InputError if it is not plane.
+    // Unit normals at the nodes of a boundary: those of the curve or surface
+    // that the mesh stands for. By the first unknown of the node.
+    // @throws InputError at a corner
     template <int dim>
-    Tensor<1, dim>
-    plane_normal(const Body<dim> &body, const std::string &boundary)
+    std::map<unsigned int, Tensor<1, dim>>
+    boundary_normals(const Body<dim> &body, const std::string &boundary)
     {
+      constexpr double corner = 0.95; // cos of 18 degrees
+      std::map<unsigned int, const Node<dim> *> nodes;
+      for (const auto &node : body.nodes())
+        nodes[node.dofs[0] - body.first_dof()] = &node;
+
       const types::boundary_id id = body.mesh().boundary(boundary);
-      FEFaceValues<dim>        values(body.mapping(),
-                               body.scalar_fe(),
-                               QGauss<dim - 1>(2),
-                               update_normal_vectors);
-      Tensor<1, dim>           normal;
+      std::map<unsigned int, Tensor<1, dim>> sums;
+      std::vector<types::global_dof_index>   dofs(body.fe().n_dofs_per_face());
       for (const auto &cell : body.dof_handler().active_cell_iterators())
-        for (const unsigned int face : cell->face_indices())
+        for (const auto &face : cell->face_iterators())
           {
-            if (!cell->face(face)->at_boundary() ||
-                cell->face(face)->boundary_id() != id)
+            if (!face->at_boundary() || face->boundary_id() != id)
               continue;
-            values.reinit(
-              static_cast<typename Triangulation<dim>::cell_iterator>(cell),
-              face);
-            for (const Tensor<1, dim> &next : values.get_normal_vectors())
-              if (normal.norm() == 0.)
-                normal = next;
-              else if ((next - normal).norm() > 1e-6)
-                throw InputError("the boundary \"" + boundary +
-                                 "\" is not plane. A node that stays in its "
-                                 "plane needs one; name plane parts apart.");
+            face->get_dof_indices(dofs);
+            const typename Triangulation<dim>::face_iterator geometry(face);
+            for (const unsigned int dof : dofs)
+              {
+                const auto found = nodes.find(dof);
+                if (found == nodes.end())
+                  continue;
+                const Node<dim> &node = *found->second;
+                Tensor<1, dim>   normal =
+                  face->get_manifold().normal_vector(geometry, node.point);
+                Tensor<1, dim> &sum = sums[node.dofs[0]];
+                if (normal * sum < 0.)
+                  normal *= -1.;
+                if (sum.norm() > 0. && normal * sum < corner * sum.norm())
+                  {
+                    std::ostringstream message;
+                    message << "the boundary \"" << boundary
+                            << "\" has a corner at (" << node.point
+                            << "). Name its sides apart.";
+                    throw InputError(message.str());
+                  }
+                sum += normal;
+              }
           }
-      return normal;
+      for (auto &[dof, sum] : sums)
+        sum /= sum.norm();
+      return sums;
+    }
+
+    template <int dim>
+    bool
+    are_equal(const std::map<unsigned int, Tensor<1, dim>> &normals)
+    {
+      return std::all_of(
+        normals.begin(), normals.end(), [&](const auto &other) {
+          return std::abs(other.second * normals.begin()->second) > 1. - 1e-12;
+        });
     }
 
     // The nodes a place of the .prm stands for: a boundary or `point x, y`.
@@ -89,9 +120,10 @@ namespace Signorini
     prm.declare_entry("Sliding",
                       "",
                       Patterns::Anything(),
-                      "Plane boundaries whose nodes stay in their plane, "
-                      "`side | cut': planes of symmetry that are not parallel "
-                      "to an axis.");
+                      "Boundaries whose nodes move along their tangents only, "
+                      "`side | bore': planes of symmetry that are not parallel "
+                      "to an axis, or a shaft in a smooth bearing. With finite "
+                      "strain they have to be plane.");
     prm.declare_entry("Absorbing",
                       "",
                       Patterns::Anything(),
@@ -178,9 +210,14 @@ namespace Signorini
   Supports<dim>::add_sliding_nodes(const Body<dim>   &body,
                                    const std::string &boundary)
   {
-    const Tensor<1, dim> normal = plane_normal(body, boundary);
+    const auto normals = boundary_normals(body, boundary);
+    if (body.kinematics() == Kinematics::finite_strain && !are_equal(normals))
+      throw InputError("the boundary \"" + boundary +
+                       "\" is not plane. With finite strain the nodes would "
+                       "leave it along its tangents. Name a plane one, or set "
+                       "Kinematics = small strain.");
     for (const auto &node : body.boundary_nodes(boundary))
-      sliding_nodes_.push_back({node, normal});
+      sliding_nodes_.push_back({node, normals.at(node.dofs[0])});
   }
 
 

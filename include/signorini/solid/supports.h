@@ -11,7 +11,7 @@
 
 namespace Signorini
 {
-  /** A node that cannot move along a direction. */
+  /** A node that cannot move along a direction, that of its boundary. */
   template <int dim>
   struct SlidingNode
   {
@@ -21,7 +21,7 @@ namespace Signorini
 
   /**
    * The unknowns of a body whose motion is given: fixed ones and those that
-   * follow a function of place and time. Nodes that slide along a plane
+   * follow a function of place and time. Nodes that slide along a
    * boundary, and the boundaries at which waves leave the body.
    */
   template <int dim>
@@ -61,7 +61,7 @@ namespace Signorini
     bool
     are_fixed() const;
 
-    /** Nodes that slide along the plane of their boundary. */
+    /** Nodes that slide along their boundary. */
     const std::vector<SlidingNode<dim>> &
     sliding_nodes() const
     {
