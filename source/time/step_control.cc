@@ -209,10 +209,12 @@ namespace Signorini
                  const double       time,
                  const double       target)
   {
-    const double left = target - time;
+    // A resumed run may have another limit than the one that chose the size.
+    const double left   = target - time;
+    const double wanted = std::min(memory.wanted_size, control.maximal_size);
     const double size =
       control.automatic ?
-        left / std::max(1., std::ceil(left / memory.wanted_size - rounding)) :
+        left / std::max(1., std::ceil(left / wanted - rounding)) :
         std::min(2. * memory.last_size, left);
     const double regular =
       control.automatic ? memory.last_size : control.initial_size;

@@ -127,6 +127,11 @@ BOOST_AUTO_TEST_CASE(automatic_steps_share_the_way)
 
   // One step is enough where the wanted size reaches.
   BOOST_TEST(next_step_size(control, memory, 1., 1.2) == 1.2 - 1.);
+
+  // The limit is that of the control, though the size was chosen with another.
+  StepControl shorter  = control;
+  shorter.maximal_size = 0.125;
+  BOOST_TEST(next_step_size(shorter, StepMemory(0.3), 0., 1.) == 0.125);
 }
 
 
