@@ -3,6 +3,7 @@
 #include <signorini/geometry/block.h>
 #include <signorini/geometry/disc_sector.h>
 #include <signorini/geometry/half_ball.h>
+#include <signorini/geometry/mesh_cutout.h>
 #include <signorini/geometry/mesh_file.h>
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/geometry/mesh_refinement.h>
@@ -101,6 +102,7 @@ namespace Signorini
                       "the same name; `file' reads a mesh.");
     for (const Generator<dim> &generator : generators<dim>())
       generator.declare_parameters(prm);
+    MeshCutout<dim>::declare_parameters(prm);
     MeshRefinement<dim>::declare_parameters(prm);
   }
 
@@ -122,9 +124,11 @@ namespace Signorini
     const std::unique_ptr<MeshGenerator<dim>> generator =
       found->make(base_directory);
     generator->parse_parameters(prm);
+    const auto cutout     = MeshCutout<dim>::parse(prm);
     const auto refinement = MeshRefinement<dim>::parse(prm);
 
     Mesh<dim> mesh = generator->create();
+    cutout.apply(mesh);
     refinement.apply(mesh);
     if (formulation == "axisymmetric")
       check_axisymmetric(mesh);

@@ -2,6 +2,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_refinement.h>
+#include <signorini/geometry/neighbourhood.h>
 #include <signorini/geometry/refinement_passes.h>
 #include <signorini/input_error.h>
 
@@ -10,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace Signorini
 {
@@ -19,15 +20,6 @@ namespace Signorini
   namespace
   {
     using Words = std::vector<std::string>;
-
-    // A number, or NaN, which no comparison accepts.
-    double
-    number_or_nan(const std::string &text)
-    {
-      return Patterns::Double().match(text) ?
-               Utilities::string_to_double(text) :
-               std::numeric_limits<double>::quiet_NaN();
-    }
 
     // Enough for a factor of 1e9 in size; more is a slip of the pen.
     bool
@@ -59,26 +51,19 @@ namespace Signorini
     typename MeshRefinement<dim>::Near
     parse_near(const std::string &item, const Entries &entries)
     {
-      const Words words = Utilities::split_string_list(item, ':');
-      const Words coordinates =
-        Utilities::split_string_list(words.empty() ? "" : words[0], ',');
-      bool       fine = words.size() == 3 && coordinates.size() == dim;
-      Point<dim> center;
-      for (unsigned int d = 0; fine && d < dim; ++d)
-        {
-          center[d] = number_or_nan(coordinates[d]);
-          fine      = std::isfinite(center[d]);
-        }
-      const double radius  = fine ? number_or_nan(words[1]) : 0.;
-      const double n_times = fine ? number_or_nan(words[2]) : 0.;
-      if (!fine || !(radius >= 0.) || !is_n_times(n_times))
+      const Words  words   = Utilities::split_string_list(item, ':');
+      const auto   where   = words.size() == 3 ?
+                               parse_neighbourhood<dim>(words[0], words[1]) :
+                               std::nullopt;
+      const double n_times = where ? number_or_nan(words[2]) : 0.;
+      if (!where || !is_n_times(n_times))
         entries.refuse("Refinements near",
                        "cannot understand \"" + item + "\". Each item is `" +
                          (dim == 2 ? "x, y" : "x, y, z") +
                          " : radius : times', with the point and the radius "
                          "in m, the radius not negative, and times from 0 to "
                          "30.");
-      return {center, radius, static_cast<unsigned int>(n_times)};
+      return {where->center, where->radius, static_cast<unsigned int>(n_times)};
     }
 
     void
@@ -141,24 +126,12 @@ namespace Signorini
     }
 
     template <int dim>
-    double
-    distance_from(const BoundingBox<dim> &box, const Point<dim> &p)
-    {
-      Tensor<1, dim> outside;
-      for (unsigned int d = 0; d < dim; ++d)
-        outside[d] =
-          std::max({box.lower_bound(d) - p[d], 0., p[d] - box.upper_bound(d)});
-      return outside.norm();
-    }
-
-    template <int dim>
     void
-    flag_cells_near(const Point<dim>   &center,
-                    const double        radius,
-                    Triangulation<dim> &triangulation)
+    flag_cells_near(const Neighbourhood<dim> &where,
+                    Triangulation<dim>       &triangulation)
     {
       for (const auto &cell : triangulation.active_cell_iterators())
-        if (distance_from(cell->bounding_box(), center) <= radius)
+        if (where.is_reached_by(cell->bounding_box()))
           cell->set_refine_flag();
     }
   } // namespace
@@ -243,7 +216,7 @@ namespace Signorini
     for (const Near &item : near)
       for (unsigned int i = 0; i < item.n_times; ++i)
         {
-          flag_cells_near(item.center, item.radius, *mesh.triangulation);
+          flag_cells_near<dim>({item.center, item.radius}, *mesh.triangulation);
           refine_flagged(*mesh.triangulation);
         }
   }

@@ -29,8 +29,14 @@ namespace Signorini
     bool
     is_written_by_us(const fs::path &file)
     {
-      static const std::array<std::string, 7> endings = {
-        {".vtu", ".pvd", ".csv", ".log", ".prm", ".txt", ".checkpoint"}};
+      static const std::array<std::string, 8> endings = {{".vtu",
+                                                          ".pvd",
+                                                          ".csv",
+                                                          ".log",
+                                                          ".prm",
+                                                          ".txt",
+                                                          ".checkpoint",
+                                                          ".displacement"}};
       return std::find(endings.begin(),
                        endings.end(),
                        file.extension().string()) != endings.end();
@@ -118,12 +124,16 @@ namespace Signorini
   std::string
   create_run_folder(const std::string &base,
                     const std::string &parameter_file,
-                    const bool         overwrite)
+                    const bool         overwrite,
+                    const std::string &needed)
   {
     const std::string name   = name_of_run(parameter_file);
     fs::path          folder = numbered_folder(base, name, 1);
     if (overwrite)
       {
+        std::error_code not_there;
+        if (fs::equivalent(folder, needed, not_there))
+          fail(folder, "it is the folder of the global run that is needed");
         if (!is_free(folder))
           remove_old_results(folder, parameter_file);
       }

@@ -54,6 +54,12 @@ namespace Signorini
                       "step to the log, relative to the largest force. Where "
                       "a step does not converge they show why; else each is "
                       "about the square of the last.");
+    prm.declare_entry("Displacements for submodels",
+                      "false",
+                      Patterns::Bool(),
+                      "Keeps the displacements in full precision whenever "
+                      "fields are written, for runs with Submodel of = the "
+                      "folder of this one.");
     prm.declare_entry("Fringe value",
                       "0",
                       Patterns::Double(0.),
@@ -99,8 +105,10 @@ namespace Signorini
       parameters.interface_times.push_back(
         parse_number(time, "Output / Interface problems at"));
     parameters.logs_residuals = prm.get_bool("Residuals in log");
-    parameters.fringe_value   = prm.get_double("Fringe value");
-    const std::string entry   = "Output / Monitor";
+    parameters.keeps_displacements =
+      prm.get_bool("Displacements for submodels");
+    parameters.fringe_value = prm.get_double("Fringe value");
+    const std::string entry = "Output / Monitor";
     for (const auto &[name, place] :
          parse_named_list(prm.get("Monitor"), entry))
       {

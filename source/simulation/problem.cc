@@ -44,6 +44,14 @@ namespace Signorini
                         Patterns::Anything(),
                         "Names of the rigid bodies, separated by commas. Each "
                         "has a section `Rigid body NAME'.");
+      prm.declare_entry("Submodel of",
+                        "",
+                        Patterns::Anything(),
+                        "Folder of the results of a global run with Output / "
+                        "Displacements for submodels = true, from where the "
+                        "program is started. Boundaries in Supports / From "
+                        "global run follow it; Keep cells near cuts a body "
+                        "out of it.");
       prm.declare_entry("Constants",
                         "",
                         Patterns::Anything(),
@@ -183,6 +191,12 @@ namespace Signorini
                                     Kinematics::finite_strain :
                                     Kinematics::small_strain;
 
+    const GlobalRun global_run = {prm.get("Submodel of"),
+                                  problem.time.dynamic ?
+                                    TimeInterpolation::cubic :
+                                    TimeInterpolation::linear,
+                                  problem.time.end_time};
+
     // 1. Bodies, with all that belongs to each
     std::vector<typename SolidModel<dim>::Part> parts;
     unsigned int                                n_dofs = 0;
@@ -200,7 +214,7 @@ namespace Signorini
                                       prm);
         n_dofs += body->n_dofs();
         Loads<dim>    loads(*body, constants, prm);
-        Supports<dim> supports(*body, constants, prm);
+        Supports<dim> supports(*body, constants, global_run, prm);
         parts.push_back(
           {std::move(body), std::move(loads), std::move(supports)});
         prm.leave_subsection();

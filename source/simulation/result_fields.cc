@@ -323,6 +323,25 @@ namespace Signorini
 
   template <int dim>
   void
+  ResultFields<dim>::write(DisplacementWriter<dim> &displacements) const
+  {
+    const auto                        &parts = problem_.solid->parts();
+    std::vector<Vector<double>>        values;
+    std::vector<BodyDisplacement<dim>> bodies;
+    for (const auto &part : parts)
+      values.push_back(part.body->extract(state_->displacement));
+    for (unsigned int b = 0; b < parts.size(); ++b)
+      bodies.push_back({parts[b].body->name(),
+                        &parts[b].body->dof_handler(),
+                        &parts[b].body->mapping(),
+                        &values[b]});
+    displacements.write(bodies, state_->time);
+  }
+
+
+
+  template <int dim>
+  void
   ResultFields<dim>::write_contact_tables(const std::string &folder) const
   {
     for (const auto &pair : problem_.contact->pairs())

@@ -210,7 +210,10 @@ namespace Signorini
       if (task.checkpoint)
         refuse_other_problem(problem, *task.checkpoint);
       else
-        task.folder = create_run_folder(base, file.path(), options.overwrite);
+        task.folder = create_run_folder(base,
+                                        file.path(),
+                                        options.overwrite,
+                                        prm.get("Submodel of"));
       const std::string &folder = task.folder;
       task.resume_command       = resume_command(options, file.path(), folder);
 

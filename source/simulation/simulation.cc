@@ -153,7 +153,7 @@ namespace Signorini
     try
       {
         archive >> record_ >> files.fields.collection() >>
-          files.surfaces.collection();
+          files.surfaces.collection() >> files.displacements;
       }
     catch (const boost::archive::archive_exception &error)
       {
@@ -170,6 +170,7 @@ namespace Signorini
                                       record_.history);
     files.fields.collection().cut_back();
     files.surfaces.collection().cut_back();
+    files.displacements.cut_back();
     log.line("resumed at t = " + shortest_exact(start_time_) + " s, step " +
              std::to_string(record_.state.step));
   }
@@ -260,6 +261,8 @@ namespace Signorini
     shown_state_ = record_.state;
     fields_.show(shown_state_);
     fields_.write(files.fields, files.surfaces);
+    if (problem_.output.keeps_displacements)
+      fields_.write(files.displacements);
     record_.step_of_fields = record_.state.step;
   }
 
@@ -274,7 +277,8 @@ namespace Signorini
     std::ostringstream              stream;
     boost::archive::binary_oarchive archive(stream);
     archive << record_ << std::as_const(files.fields).collection()
-            << std::as_const(files.surfaces).collection();
+            << std::as_const(files.surfaces).collection()
+            << std::as_const(files.displacements);
     try
       {
         write_checkpoint(task.folder,

@@ -124,6 +124,11 @@ namespace Signorini
                       "`side | bore': planes of symmetry that are not parallel "
                       "to an axis, or a shaft in a smooth bearing. With finite "
                       "strain they have to be plane.");
+    prm.declare_entry("From global run",
+                      "",
+                      Patterns::Anything(),
+                      "Boundaries of a submodel whose displacement is that of "
+                      "the run in `Submodel of', `cut | back'.");
     prm.declare_entry("Absorbing",
                       "",
                       Patterns::Anything(),
@@ -139,6 +144,7 @@ namespace Signorini
   template <int dim>
   Supports<dim>::Supports(const Body<dim>  &body,
                           const Constants  &constants,
+                          const GlobalRun  &global_run,
                           ParameterHandler &prm)
   {
     prm.enter_subsection("Supports");
@@ -168,6 +174,14 @@ namespace Signorini
               motions_.back().get());
         }
 
+    try
+      {
+        follow_global_run(body, prm.get("From global run"), global_run);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(section + "From global run: " + error.what());
+      }
     for (const std::string &boundary : split_list(prm.get("Sliding"), '|'))
       try
         {
@@ -207,6 +221,35 @@ namespace Signorini
 
   template <int dim>
   void
+  Supports<dim>::follow_global_run(const Body<dim>   &body,
+                                   const std::string &boundaries,
+                                   const GlobalRun   &global_run)
+  {
+    std::map<unsigned int, Node<dim>> nodes; // corners are of two boundaries
+    for (const std::string &boundary : split_list(boundaries, '|'))
+      for (const auto &node : body.boundary_nodes(boundary))
+        nodes[node.dofs[0]] = node;
+    if (nodes.empty())
+      return;
+    if (global_run.folder.empty())
+      throw InputError("there is no global run. Set Submodel of = FOLDER, the "
+                       "folder of its results.");
+    std::vector<Point<dim>> points;
+    for (const auto &[dof, node] : nodes)
+      {
+        global_nodes_.push_back(node);
+        points.push_back(node.point);
+      }
+    global_run_ = std::make_unique<DisplacementHistory<dim>>(
+      global_run.folder, body.name(), points, global_run.interpolation);
+    global_run_->values(0.);
+    global_run_->values(global_run.end_time);
+  }
+
+
+
+  template <int dim>
+  void
   Supports<dim>::add_sliding_nodes(const Body<dim>   &body,
                                    const std::string &boundary)
   {
@@ -228,6 +271,25 @@ namespace Signorini
   {
     for (const auto &prescribed : prescribed_)
       is_fixed[prescribed.dof] = true;
+    for (const auto &node : global_nodes_)
+      for (const unsigned int dof : node.dofs)
+        is_fixed[dof] = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::set_global(const double       time,
+                            const unsigned int derivative,
+                            Vector<double>    &vector) const
+  {
+    if (global_nodes_.empty())
+      return;
+    const auto values = global_run_->values(time, derivative);
+    for (unsigned int n = 0; n < values.size(); ++n)
+      for (unsigned int c = 0; c < dim; ++c)
+        vector[global_nodes_[n].dofs[c]] = values[n][c];
   }
 
 
@@ -237,6 +299,7 @@ namespace Signorini
   Supports<dim>::set_displacements(const double    time,
                                    Vector<double> &displacement) const
   {
+    set_global(time, 0, displacement);
     for (const auto &[dof, point, motion] : prescribed_)
       displacement[dof] = motion ? motion->value(point, time) : 0.;
   }
@@ -250,6 +313,8 @@ namespace Signorini
                            Vector<double> &velocity,
                            Vector<double> &acceleration) const
   {
+    set_global(time, 1, velocity);
+    set_global(time, 2, acceleration);
     const double difference = 0.01 * step_size;
     for (const auto &[dof, point, motion] : prescribed_)
       {
@@ -271,7 +336,8 @@ namespace Signorini
   bool
   Supports<dim>::are_fixed() const
   {
-    return std::none_of(prescribed_.begin(),
+    return global_nodes_.empty() &&
+           std::none_of(prescribed_.begin(),
                         prescribed_.end(),
                         [](const auto &prescribed) {
                           return prescribed.motion &&

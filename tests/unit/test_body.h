@@ -27,7 +27,7 @@ namespace Signorini
     auto body = std::make_unique<Body<dim>>(
       name, formulation, kinematics, "", first_dof, RefinementPasses(), prm);
     Loads<dim>    loads(*body, {}, prm);
-    Supports<dim> supports(*body, {}, prm);
+    Supports<dim> supports(*body, {}, {}, prm);
     return {std::move(body), std::move(loads), std::move(supports)};
   }
 

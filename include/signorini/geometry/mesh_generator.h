@@ -43,8 +43,8 @@ namespace Signorini
 
   /**
    * Declares, in the current section, `Mesh` (the names of the generators for
-   * this dimension), the subsection of each generator, and the refinement
-   * entries of MeshRefinement.
+   * this dimension), the subsection of each generator, and the entries of
+   * MeshCutout and MeshRefinement.
    */
   template <int dim>
   void

@@ -13,17 +13,19 @@ namespace Signorini
    *
    * With @p overwrite the folder NAME itself is used, and the files directly
    * in it that the program could have written (endings vtu, pvd, csv, log,
-   * prm, txt, checkpoint) are removed first. Everything else in it stays.
+   * prm, txt, checkpoint, displacement) are removed first. Everything else in
+   * it stays.
    *
    * @return The path of the folder. It exists and can be written to.
    * @throws InputError when the folder cannot be created, cleared or written
    * to, with the path and the reason of the system, and when overwriting
-   * would remove @p parameter_file itself.
+   * would remove @p parameter_file itself or what is in the folder @p needed.
    */
   std::string
   create_run_folder(const std::string &base,
                     const std::string &parameter_file,
-                    const bool         overwrite = false);
+                    const bool         overwrite = false,
+                    const std::string &needed    = "");
 
   /**
    * The folder of an earlier run of this parameter file: of NAME, NAME-2, ...

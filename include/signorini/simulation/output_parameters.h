@@ -31,7 +31,8 @@ namespace Signorini
     double               minutes_between_checkpoints; // 0: not by the clock
     std::vector<double>  interface_times;             // s, increasing
     bool                 logs_residuals;
-    double               fringe_value; // Pa; 0: no fringes
+    bool                 keeps_displacements; // for submodels
+    double               fringe_value;        // Pa; 0: no fringes
     std::vector<Monitor> monitors;
     std::string          checks;
 

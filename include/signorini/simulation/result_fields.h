@@ -1,6 +1,7 @@
 #ifndef signorini_simulation_result_fields_h
 #define signorini_simulation_result_fields_h
 
+#include <signorini/output/displacement_writer.h>
 #include <signorini/output/field_lookup.h>
 #include <signorini/output/field_writer.h>
 #include <signorini/output/surface_writer.h>
@@ -41,6 +42,9 @@ namespace Signorini
 
     void
     write(FieldWriter<dim> &fields, SurfaceWriter<dim> &surfaces) const;
+
+    void
+    write(DisplacementWriter<dim> &displacements) const;
 
     /** Writes PAIR.csv for each pair into a folder: the values at the nodes. */
     void

@@ -2,6 +2,7 @@
 #define signorini_simulation_simulation_h
 
 #include <signorini/output/checkpoint.h>
+#include <signorini/output/displacement_writer.h>
 #include <signorini/output/expected_results.h>
 #include <signorini/output/field_writer.h>
 #include <signorini/output/history_writer.h>
@@ -59,11 +60,13 @@ namespace Signorini
       explicit Files(const std::string &folder)
         : fields(folder)
         , surfaces(folder)
+        , displacements(folder)
       {}
 
       std::unique_ptr<HistoryWriter> history;
       FieldWriter<dim>               fields;
       SurfaceWriter<dim>             surfaces;
+      DisplacementWriter<dim>        displacements; // for submodels
     };
 
     void

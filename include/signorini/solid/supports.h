@@ -2,6 +2,7 @@
 #define signorini_solid_supports_h
 
 #include <signorini/solid/body.h>
+#include <signorini/solid/displacement_history.h>
 #include <signorini/space_time_function.h>
 
 #include <memory>
@@ -11,6 +12,14 @@
 
 namespace Signorini
 {
+  /** The run from which a submodel takes the motion of its boundaries. */
+  struct GlobalRun
+  {
+    std::string       folder; // of its results; empty: none
+    TimeInterpolation interpolation = TimeInterpolation::linear;
+    double            end_time      = 0.; // of the submodel, s
+  };
+
   /** A node that cannot move along a direction, that of its boundary. */
   template <int dim>
   struct SlidingNode
@@ -35,6 +44,7 @@ namespace Signorini
     /** Reads the section `Supports` of this body. @throws InputError. */
     Supports(const Body<dim>          &body,
              const Constants          &constants,
+             const GlobalRun          &global_run,
              dealii::ParameterHandler &prm);
 
     /** Marks the unknowns that are given. */
@@ -88,12 +98,26 @@ namespace Signorini
         const unsigned int            component,
         const SpaceTimeFunction<dim> *motion);
 
+    // Reads `From global run'.
+    void
+    follow_global_run(const Body<dim>   &body,
+                      const std::string &boundaries,
+                      const GlobalRun   &global_run);
+
+    // Displacement, velocity or acceleration of the global run.
+    void
+    set_global(const double            time,
+               const unsigned int      derivative,
+               dealii::Vector<double> &vector) const;
+
     // Reads `Sliding'.
     void
     add_sliding_nodes(const Body<dim> &body, const std::string &boundary);
 
-    std::vector<Prescribed>                              prescribed_;
-    std::vector<SlidingNode<dim>>                        sliding_nodes_;
+    std::vector<Prescribed>                   prescribed_;
+    std::vector<Node<dim>>                    global_nodes_; // that follow it
+    std::unique_ptr<DisplacementHistory<dim>> global_run_;
+    std::vector<SlidingNode<dim>>             sliding_nodes_;
     std::vector<std::unique_ptr<SpaceTimeFunction<dim>>> motions_;
     std::set<dealii::types::boundary_id>                 absorbing_boundaries_;
   };
