@@ -40,7 +40,12 @@ scripts/field_picture "$run/results.pvd" displacement_x "$scratch/half.png" --ra
 scripts/field_picture "$run" displacement_x "$scratch/mean.png" --range 0,0.1 \
   --window 0,0,1.1,1 --after 0.5 --mesh --contour 0.01 --mirror || fail "the mean failed."
 
+# Fringes: N = 5 at the right end, and the intensity is sin^2(pi N).
+scripts/field_picture "$run" displacement_x "$scratch/fringes.png" --fringes 0.02 \
+  --window 0,0,1.1,1 || fail "the fringes failed."
+
 /usr/bin/python3 - "$scratch" <<'END' || fail "the colours are not as computed."
+import math
 import sys
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -59,9 +64,13 @@ def colours(name, n, left=78, right=140):
 
 full, half = colours("square", 10), colours("half", 5)
 brightness = [sum(colour) for colour in full]
-print(full, half)
+grey = colours("fringes", 40)
+sines = [255 * math.sin(math.pi * 5 * (i + 0.5) / 40) ** 2 for i in range(40)]
+off = max(abs(c - s) for colour, s in zip(grey, sines) for c in colour)
+print(full, half, "fringes off by", off, "of 255")
+fringes = off < 12
 good = len(set(full)) == 10 and brightness == sorted(brightness, reverse=True)
-sys.exit(not (good and half == full[:5]))
+sys.exit(not (good and half == full[:5] and fringes))
 END
 
 refused 1 "has no field 'stress', but: displacement" "$run" stress "$scratch/no.png"
@@ -72,6 +81,8 @@ refused 1 "cannot be written" "$run" stress_xx "$scratch/none/no.png"
 refused 1 "cannot be read" "$scratch/none" stress_xx "$scratch/no.png"
 refused 2 "X0 must be less than X1" "$run" stress_xx "$scratch/no.png" --window 1,0,0,1
 refused 2 "'1,2,3' was found" "$run" stress_xx "$scratch/no.png" --range 1,2,3
+refused 2 "'0' was found" "$run" displacement_x "$scratch/no.png" --fringes 0
+refused 2 "without --range" "$run" displacement_x "$scratch/no.png" --fringes --range 0,1
 refused 2 "the picture is a PNG" "$run" stress_xx "$scratch/no.svg"
 head -c 2000 "$run/square_00002.vtu" >"$scratch/part" && mv "$scratch/part" "$run/square_00002.vtu"
 refused 1 "square_00002.vtu cannot be read" "$run" stress_xx "$scratch/no.png"
