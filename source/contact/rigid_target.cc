@@ -1,5 +1,8 @@
 #include <signorini/contact/rigid_target.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tangents.h"
 
 namespace Signorini
@@ -71,6 +74,8 @@ namespace Signorini
 
 
     // The gap is a distance: from a point the path is free for at least so far.
+    // The body turns on the way, since a straight path in the body would cut
+    // off arcs of a circle that turns in its place.
     template <int dim>
     bool
     PlacedRigidTarget<dim>::is_passed(const Point<dim> &start,
@@ -78,15 +83,28 @@ namespace Signorini
                                       const double /*start_gap*/,
                                       const unsigned int /*unknown*/) const
     {
-      const Point<dim>       from   = before_.to_body(start);
-      const Tensor<1, dim>   path   = now_.to_body(end) - from;
-      const double           length = path.norm();
+      const Tensor<1, dim> motion =
+        (end - start) - (now_.translation - before_.translation);
+      const Tensor<2, dim> turn  = now_.rotation * transpose(before_.rotation);
+      const double         angle = std::atan2(turn[1][0], turn[0][0]);
+      const double         lever =
+        std::max(start.distance(now_.centre + before_.translation),
+                 end.distance(now_.centre + now_.translation));
+      // Not less than the length of the path in the body
+      const double           length = motion.norm() + std::abs(angle) * lever;
       constexpr unsigned int most   = 100; // a path that grazes comes no nearer
       double                 passed = 0.;  // along the path
       for (unsigned int i = 0; i < most && passed < length; ++i)
         {
-          const Point<dim> X   = from + (passed / length) * path;
-          const double     gap = body_.surface().closest(X).gap;
+          const double        share      = passed / length;
+          RigidPlacement<dim> on_the_way = before_;
+          on_the_way.translation +=
+            share * (now_.translation - before_.translation);
+          on_the_way.rotation =
+            rotation_by<dim>(share * angle) * before_.rotation;
+          const Point<dim> X =
+            on_the_way.to_body(start + share * (end - start));
+          const double gap = body_.surface().closest(X).gap;
           if (gap < 0. && passed > 0.)
             return true;
           passed += std::max(gap, 1e-3 * length);
