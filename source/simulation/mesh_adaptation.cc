@@ -78,6 +78,70 @@ namespace Signorini
       return BoundingBox<dim>(vertices);
     }
 
+    // How far the middle of a boundary face lies beside the curve or surface
+    // that it stands for; the largest one of the cell, m.
+    template <typename Cell>
+    double
+    sagitta(const Cell &cell)
+    {
+      double largest = 0.;
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          largest =
+            std::max(largest, face->center(true).distance(face->center()));
+      return largest;
+    }
+
+    template <int dim>
+    bool
+    reaches(BoundingBox<dim>               box,
+            const double                   distance,
+            const std::vector<Point<dim>> &points)
+    {
+      box.extend(distance);
+      return std::any_of(points.begin(), points.end(), [&](const auto &point) {
+        return box.point_inside(point);
+      });
+    }
+
+    // An open node near which the surfaces may touch.
+    template <int dim>
+    struct NearMiss
+    {
+      Point<dim> point;            // m
+      double     gap;              // m
+      bool       is_nearer_beside; // perhaps, and touches there
+    };
+
+    // Between two nodes at a distance h a body of the radius R comes nearer
+    // than at the nodes by at most h^2/8R, a quarter of what the gap may grow
+    // from the nearer node to the next.
+    template <int dim>
+    std::vector<NearMiss<dim>>
+    near_misses(const ContactPair<dim> &pair, const State &state)
+    {
+      const auto &nodes     = pair.contactor.nodes;
+      const auto  positions = node_positions(nodes, state.displacement);
+      const auto  gap       = [&](const unsigned int node) {
+        return state.gaps[pair.first_contact + node];
+      };
+      std::vector<double> largest_gap_around(nodes.size(), 0.);
+      for (const auto &face : pair.contactor.faces)
+        for (const unsigned int node : face)
+          for (const unsigned int other : face)
+            if (std::isfinite(gap(other)))
+              largest_gap_around[node] =
+                std::max(largest_gap_around[node], gap(other));
+
+      std::vector<NearMiss<dim>> result;
+      for (unsigned int n = 0; n < nodes.size(); ++n)
+        if (state.contact_forces.normal[pair.first_contact + n] <= 0. &&
+            std::isfinite(gap(n)))
+          result.push_back(
+            {positions[n], gap(n), 5. * gap(n) < largest_gap_around[n]});
+      return result;
+    }
+
     // Refining cells that do not matter settles nothing: the error has to fall,
     // too. It does not where only contact is refined and the rest is as it was.
     bool
@@ -214,16 +278,17 @@ namespace Signorini
                                     const State        &state,
                                     Flags              &flags) const
   {
+    if (parameters_.cells_across_contact == 0)
+      return false;
     bool is_coarse = false;
     for (const auto &pair : problem.contact->pairs())
       {
         const auto zone =
           contact_zone(pair, state.contact_forces.normal, state.displacement);
-        if (zone.points.empty() || parameters_.cells_across_contact == 0)
-          continue;
         const double largest =
           std::max(zone.width / parameters_.cells_across_contact,
                    2. * parameters_.smallest_cell);
+        const auto near = near_misses(pair, state);
         for (unsigned int b = 0; b < flags.size(); ++b)
           {
             const Body<dim> &body = *problem.solid->parts()[b].body;
@@ -231,13 +296,16 @@ namespace Signorini
               {
                 if (width(cell) <= largest)
                   continue;
-                auto box = deformed_box(body, cell, state.displacement);
-                box.extend(0.5 * zone.width);
-                if (std::any_of(zone.points.begin(),
-                                zone.points.end(),
-                                [&](const auto &p) {
-                                  return box.point_inside(p);
-                                }))
+                const auto   box = deformed_box(body, cell, state.displacement);
+                const double sag = sagitta(cell);
+                const auto   is_missed = [&](const auto &miss) {
+                  const double distance =
+                    miss.is_nearer_beside ? 2. * miss.gap : 2. * sag;
+                  return (miss.is_nearer_beside || miss.gap < 2. * sag) &&
+                         reaches(box, distance, {miss.point});
+                };
+                if (reaches(box, 0.5 * zone.width, zone.points) ||
+                    std::any_of(near.begin(), near.end(), is_missed))
                   flags[b][cell->active_cell_index()] = is_coarse = true;
               }
           }

@@ -29,7 +29,8 @@ namespace Signorini
    * Finds meshes for a problem, one after the other, each from the solution on
    * the last one:
    *  - around what is in contact, cells are cut until `Cells across contact' of
-   *    them go into its width;
+   *    them go into its width; and where the gap is so small that the chords of
+   *    curved surfaces may hide a contact;
    *  - the cells with the greatest estimated errors that together make up the
    *    `Error share' are cut (Doerfler 1996).
    * It ends when contact is fine enough and the quantities have settled.
