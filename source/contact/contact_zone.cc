@@ -1,5 +1,6 @@
 #include <signorini/contact/contact_zone.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -54,6 +55,36 @@ namespace Signorini
 
 
 
+  template <int dim>
+  std::vector<NearMiss<dim>>
+  near_misses(const ContactPair<dim>    &pair,
+              const std::vector<double> &normal_forces,
+              const std::vector<double> &gaps,
+              const Vector<double>      &displacement)
+  {
+    const auto &nodes     = pair.contactor.nodes;
+    const auto  positions = node_positions(nodes, displacement);
+    const auto  gap       = [&](const unsigned int node) {
+      return gaps[pair.first_contact + node];
+    };
+    std::vector<double> largest_gap_around(nodes.size(), 0.);
+    for (const auto &face : pair.contactor.faces)
+      for (const unsigned int node : face)
+        for (const unsigned int other : face)
+          if (std::isfinite(gap(other)))
+            largest_gap_around[node] =
+              std::max(largest_gap_around[node], gap(other));
+
+    std::vector<NearMiss<dim>> result;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      if (normal_forces[pair.first_contact + n] <= 0. && std::isfinite(gap(n)))
+        result.push_back(
+          {positions[n], gap(n), 5. * gap(n) < largest_gap_around[n]});
+    return result;
+  }
+
+
+
   template ContactZone<2>
   contact_zone(const ContactPair<2> &,
                const std::vector<double> &,
@@ -62,4 +93,14 @@ namespace Signorini
   contact_zone(const ContactPair<3> &,
                const std::vector<double> &,
                const Vector<double> &);
+  template std::vector<NearMiss<2>>
+  near_misses(const ContactPair<2> &,
+              const std::vector<double> &,
+              const std::vector<double> &,
+              const Vector<double> &);
+  template std::vector<NearMiss<3>>
+  near_misses(const ContactPair<3> &,
+              const std::vector<double> &,
+              const std::vector<double> &,
+              const Vector<double> &);
 } // namespace Signorini

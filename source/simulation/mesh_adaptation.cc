@@ -104,44 +104,6 @@ namespace Signorini
       });
     }
 
-    // An open node near which the surfaces may touch.
-    template <int dim>
-    struct NearMiss
-    {
-      Point<dim> point;            // m
-      double     gap;              // m
-      bool       is_nearer_beside; // perhaps, and touches there
-    };
-
-    // Between two nodes at a distance h a body of the radius R comes nearer
-    // than at the nodes by at most h^2/8R, a quarter of what the gap may grow
-    // from the nearer node to the next.
-    template <int dim>
-    std::vector<NearMiss<dim>>
-    near_misses(const ContactPair<dim> &pair, const State &state)
-    {
-      const auto &nodes     = pair.contactor.nodes;
-      const auto  positions = node_positions(nodes, state.displacement);
-      const auto  gap       = [&](const unsigned int node) {
-        return state.gaps[pair.first_contact + node];
-      };
-      std::vector<double> largest_gap_around(nodes.size(), 0.);
-      for (const auto &face : pair.contactor.faces)
-        for (const unsigned int node : face)
-          for (const unsigned int other : face)
-            if (std::isfinite(gap(other)))
-              largest_gap_around[node] =
-                std::max(largest_gap_around[node], gap(other));
-
-      std::vector<NearMiss<dim>> result;
-      for (unsigned int n = 0; n < nodes.size(); ++n)
-        if (state.contact_forces.normal[pair.first_contact + n] <= 0. &&
-            std::isfinite(gap(n)))
-          result.push_back(
-            {positions[n], gap(n), 5. * gap(n) < largest_gap_around[n]});
-      return result;
-    }
-
     // Refining cells that do not matter settles nothing: the error has to fall,
     // too. It does not where only contact is refined and the rest is as it was.
     bool
@@ -288,7 +250,10 @@ namespace Signorini
         const double largest =
           std::max(zone.width / parameters_.cells_across_contact,
                    2. * parameters_.smallest_cell);
-        const auto near = near_misses(pair, state);
+        const auto near = near_misses(pair,
+                                      state.contact_forces.normal,
+                                      state.gaps,
+                                      state.displacement);
         for (unsigned int b = 0; b < flags.size(); ++b)
           {
             const Body<dim> &body = *problem.solid->parts()[b].body;
@@ -300,8 +265,8 @@ namespace Signorini
                 const double sag = sagitta(cell);
                 const auto   is_missed = [&](const auto &miss) {
                   const double distance =
-                    miss.is_nearer_beside ? 2. * miss.gap : 2. * sag;
-                  return (miss.is_nearer_beside || miss.gap < 2. * sag) &&
+                    miss.may_touch_beside ? 2. * miss.gap : 2. * sag;
+                  return (miss.may_touch_beside || miss.gap < 2. * sag) &&
                          reaches(box, distance, {miss.point});
                 };
                 if (reaches(box, 0.5 * zone.width, zone.points) ||

@@ -30,6 +30,33 @@ namespace Signorini
   contact_zone(const ContactPair<dim>       &pair,
                const std::vector<double>    &normal_forces,
                const dealii::Vector<double> &displacement);
+
+  /** An open node near which the surfaces may touch. */
+  template <int dim>
+  struct NearMiss
+  {
+    dealii::Point<dim> point; // m
+    double             gap;   // m
+
+    /**
+     * Between two nodes at a distance h a body of the radius R comes nearer
+     * than at the nodes by at most h^2/8R, a quarter of what the gap grows from
+     * the nearer node to the next. True if the gap is smaller than this.
+     */
+    bool may_touch_beside;
+  };
+
+  /**
+   * All open nodes with a target in reach.
+   * @param normal_forces of the candidates of all pairs, N
+   * @param gaps          of the same, m
+   */
+  template <int dim>
+  std::vector<NearMiss<dim>>
+  near_misses(const ContactPair<dim>       &pair,
+              const std::vector<double>    &normal_forces,
+              const std::vector<double>    &gaps,
+              const dealii::Vector<double> &displacement);
 } // namespace Signorini
 
 #endif
