@@ -86,7 +86,7 @@ def joint(draw):
         "Output/Monitor": "",
         "Output/Time between fields": 0,
         "Time/End time": 1,
-        "Time/Step size": 0.25,
+        "Time/Step size": 0.5,
         "Expected results/Checks":
             " + ".join(f"final(disc.{f}.force_y)" for f in flanks) + " < 0 | " +
             " | ".join(f"max(disc.{f}.penetration) < {1e-9 * size!r}" for f in flanks),
