@@ -168,9 +168,9 @@ namespace Signorini
     // Names in checks and quantities are wrong before the first step.
     template <int dim>
     void
-    check_quantities(const Problem<dim> &problem, Timings &timings)
+    check_quantities(const Problem<dim> &problem)
     {
-      Simulation<dim>(problem, timings);
+      Simulation<dim>::checked_expected_results(problem);
       MeshAdaptation<dim>{problem};
     }
 
@@ -186,10 +186,12 @@ namespace Signorini
       file.apply(prm);
       const ProblemCreator<dim> create =
         [&](const std::vector<RefinementPasses> &passes) {
-          const auto timing = timings.measure("set-up");
-          return created_from(file, [&] {
+          const auto   timing  = timings.measure("set-up");
+          Problem<dim> problem = created_from(file, [&] {
             return Problem<dim>::create(outline, file.directory(), passes, prm);
           });
+          limit_blas_threads(n_useful_blas_threads(problem.solid->n_dofs()));
+          return problem;
         };
       const std::string base = output_base(options, prm);
       RunTask           task;
@@ -200,7 +202,7 @@ namespace Signorini
         warnings = find_checkpoint(base, file.path(), *options.resume, task);
 
       Problem<dim> problem = create(task.passes);
-      created_from(file, [&] { check_quantities(problem, timings); });
+      created_from(file, [&] { check_quantities(problem); });
       if (options.check_only)
         {
           Log("").line(file.path() + ": the input is fine\n" +
@@ -229,7 +231,6 @@ namespace Signorini
         {
           if (!task.checkpoint)
             task.passes = adapt_meshes(create, folder, problem, timings, log);
-          limit_blas_threads(n_useful_blas_threads(problem.solid->n_dofs()));
           log.line(description(problem));
           task.geometry = geometry_checksum(problem);
           Simulation<dim>(problem, timings).run(task, log);

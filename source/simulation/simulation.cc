@@ -67,8 +67,7 @@ namespace Signorini
             problem.output.interface_times,
             problem.output.time_between_fields)
     , fields_(problem)
-    , expected_(
-        in_checks([&] { return ExpectedResults(problem.output.checks); }))
+    , expected_(checked_expected_results(problem))
     , checkpoint_clock_(problem.output.steps_between_checkpoints,
                         problem.output.minutes_between_checkpoints)
     , start_time_(0.)
@@ -76,7 +75,21 @@ namespace Signorini
   {
     record_.step_memory = StepMemory(problem.time.step_size);
     add_history_columns(problem, record_.history);
-    in_checks([&] { expected_.check_names(record_.history, fields_); });
+  }
+
+
+
+  template <int dim>
+  ExpectedResults
+  Simulation<dim>::checked_expected_results(const Problem<dim> &problem)
+  {
+    return in_checks([&] {
+      ExpectedResults expected(problem.output.checks);
+      History         history;
+      add_history_columns(problem, history);
+      expected.check_names(history, ResultFields<dim>(problem));
+      return expected;
+    });
   }
 
 

@@ -67,6 +67,37 @@ namespace
 
 
 
+// A circle that turns in its place meets no point beside it; one that goes
+// around another centre does, as does a point that flies through.
+BOOST_AUTO_TEST_CASE(passages_of_a_turning_body)
+{
+  const std::string turning =
+    circle + "set Rotation = 0.5*t\nset Centre of rotation = ";
+  const auto is_passed =
+    [](const std::string &section, const Point<2> &start, const Point<2> &end) {
+      const auto           body = rigid_body(section);
+      const RigidTarget<2> target(*body);
+      const Vector<double> q(2);
+      return target.place({q, 1.}, {q, 0.})->is_passed(start, end, 1., 0);
+    };
+  // On the chord the point would come 15 mm inside.
+  const Point<2> beside(0.3 + 0.5 + 1e-4, 0.1);
+  BOOST_TEST(!is_passed(turning + "0.3, 0.1\n", beside, beside));
+  // The circle sweeps over the point from below and is above it at the end.
+  const Point<2>    in_the_way(1.3 + 1.2 * std::cos(0.25),
+                            0.1 + 1.2 * std::sin(0.25));
+  const std::string small = "set Shape = circle\nsubsection Circle\n"
+                            " set Centre = 2.5, 0.1\n set Radius = 0.1\nend\n"
+                            "set Rotation = 0.5*t\n"
+                            "set Centre of rotation = 1.3, 0.1\n";
+  BOOST_TEST(is_passed(small, in_the_way, in_the_way));
+  BOOST_TEST(!is_passed(small, Point<2>(2.2, 0.35), Point<2>(2.2, 0.35)));
+  BOOST_TEST(
+    is_passed(turning + "0.3, 0.1\n", Point<2>(1.3, 0.2), Point<2>(-0.7, 0.2)));
+}
+
+
+
 // First and second derivatives of the gap over x, u and the arc of rotation
 // against central differences, outside and inside.
 BOOST_AUTO_TEST_CASE(derivatives_of_a_free_body)

@@ -44,14 +44,14 @@ BOOST_AUTO_TEST_CASE(overwriting_removes_only_results)
   std::filesystem::create_directories(run + "/kept");
   write_file(run + "/kept/history.csv", "");
   for (const std::string ending :
-       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint"})
+       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint", "displacement"})
     write_file(run + "/result." + ending, "old");
   write_file(run + "/notes.odt", "");
   write_file(run + "/csv", "");
 
   BOOST_TEST(create_run_folder(folder.path.string(), "beam.prm", true) == run);
   for (const std::string ending :
-       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint"})
+       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint", "displacement"})
     BOOST_TEST(!std::filesystem::exists(run + "/result." + ending));
   BOOST_TEST(std::filesystem::exists(run + "/kept/history.csv"));
   BOOST_TEST(std::filesystem::exists(run + "/notes.odt"));
@@ -67,6 +67,23 @@ BOOST_AUTO_TEST_CASE(the_parameter_file_itself_is_never_removed)
   BOOST_CHECK_THROW(create_run_folder(folder.path.string(), prm, true),
                     InputError);
   BOOST_TEST(read_file(prm) == "set Title = beam");
+}
+
+// A submodel does not remove the results of its global run.
+BOOST_AUTO_TEST_CASE(a_folder_that_is_needed_stays)
+{
+  const TemporaryFolder folder;
+  const std::string     run = folder.file("beam");
+  std::filesystem::create_directory(run);
+  write_file(run + "/displacements.csv", "kept");
+  BOOST_CHECK_THROW(
+    create_run_folder(folder.path.string(), "beam.prm", true, run + "/."),
+    InputError);
+  BOOST_TEST(read_file(run + "/displacements.csv") == "kept");
+  BOOST_TEST(create_run_folder(folder.path.string(),
+                               "beam.prm",
+                               true,
+                               folder.file("other")) == run);
 }
 
 // Of several runs of one file, that which was saved last.

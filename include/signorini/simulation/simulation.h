@@ -40,7 +40,17 @@ namespace Signorini
   class Simulation
   {
   public:
-    /** The problem and the timings must outlive the object. */
+    /**
+     * The checks of the problem.
+     * @throws InputError on a mistake in them, or for a name that is not there.
+     */
+    static ExpectedResults
+    checked_expected_results(const Problem<dim> &problem);
+
+    /**
+     * The problem and the timings must outlive the object.
+     * @throws InputError as checked_expected_results().
+     */
     Simulation(const Problem<dim> &problem, Timings &timings);
 
     /**
