@@ -5,6 +5,7 @@
 #include <signorini/geometry/neighbourhood.h>
 #include <signorini/geometry/refinement_passes.h>
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
@@ -192,15 +193,10 @@ namespace Signorini
   MeshRefinement<dim>::apply(Mesh<dim> &mesh) const
   {
     // A misspelt boundary is found before the work.
-    for (const Towards &item : towards)
-      try
-        {
-          mesh.boundary(item.boundary);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(std::string("Refinements towards: ") + error.what());
-        }
+    with_path("Refinements towards: ", [&] {
+      for (const Towards &item : towards)
+        mesh.boundary(item.boundary);
+    });
 
     refine_globally(*mesh.triangulation, n_global);
     for (const Towards &item : towards)

@@ -65,9 +65,7 @@ namespace Signorini
   {
     const TimeParameters time  = problem.time;
     const auto           trial = trial_time(time, problem.adaptivity);
-    if (problem.adaptivity.maximal_meshes == 1)
-      return {};
-    MeshAdaptation<dim> adaptation(problem);
+    MeshAdaptation<dim>  adaptation(problem);
     for (bool goes_on = true; goes_on;)
       {
         problem.time       = trial;

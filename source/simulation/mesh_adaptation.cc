@@ -1,5 +1,6 @@
 #include <signorini/contact/contact_zone.h>
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/mesh_adaptation.h>
 #include <signorini/simulation/result_fields.h>
@@ -34,20 +35,7 @@ namespace Signorini
       return names;
     }
 
-    template <typename Action>
-    auto
-    in_quantities(const Action &action)
-    {
-      try
-        {
-          return action();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(std::string("Adaptivity / Quantities: ") +
-                           error.what());
-        }
-    }
+    const std::string quantities_entry = "Adaptivity / Quantities: ";
 
     // Of the longest edge, m.
     template <typename Cell>
@@ -134,7 +122,7 @@ namespace Signorini
     History history;
     add_history_columns(problem, history);
     const ResultFields<dim> fields(problem);
-    in_quantities([&] {
+    with_path(quantities_entry, [&] {
       for (const std::string &name : names_)
         {
           expressions_.emplace_back(name);
@@ -170,8 +158,9 @@ namespace Signorini
     ResultFields<dim> fields(problem);
     fields.show(state);
     for (const CheckExpression &expression : expressions_)
-      record.quantities.push_back(
-        in_quantities([&] { return expression.evaluate(history, fields); }));
+      record.quantities.push_back(with_path(quantities_entry, [&] {
+        return expression.evaluate(history, fields);
+      }));
     record.change = change_since_coarser(record);
     return record;
   }

@@ -165,15 +165,6 @@ namespace Signorini
       return directory;
     }
 
-    // Names in checks and quantities are wrong before the first step.
-    template <int dim>
-    void
-    check_quantities(const Problem<dim> &problem)
-    {
-      Simulation<dim>::checked_expected_results(problem);
-      MeshAdaptation<dim>{problem};
-    }
-
     template <int dim>
     void
     run_problem(const ParameterFile  &file,
@@ -202,7 +193,12 @@ namespace Signorini
         warnings = find_checkpoint(base, file.path(), *options.resume, task);
 
       Problem<dim> problem = create(task.passes);
-      created_from(file, [&] { check_quantities(problem); });
+      // What is wrong in the checks, the algorithm or the quantities is found
+      // before anything is written.
+      auto simulation = created_from(file, [&] {
+        MeshAdaptation<dim>{problem};
+        return std::make_unique<Simulation<dim>>(problem, timings);
+      });
       if (options.check_only)
         {
           Log("").line(file.path() + ": the input is fine\n" +
@@ -229,11 +225,15 @@ namespace Signorini
       write_parameters(prm, folder + "/parameters.prm");
       try
         {
-          if (!task.checkpoint)
-            task.passes = adapt_meshes(create, folder, problem, timings, log);
+          if (problem.adaptivity.maximal_meshes > 1 && !task.checkpoint)
+            {
+              simulation.reset();
+              task.passes = adapt_meshes(create, folder, problem, timings, log);
+              simulation  = std::make_unique<Simulation<dim>>(problem, timings);
+            }
           log.line(description(problem));
           task.geometry = geometry_checksum(problem);
-          Simulation<dim>(problem, timings).run(task, log);
+          simulation->run(task, log);
         }
       catch (const ComputationError &error)
         {

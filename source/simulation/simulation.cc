@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/output/progress.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
@@ -25,21 +26,7 @@ namespace Signorini
         .count();
     }
 
-    // Errors in the checks name their entry.
-    template <typename Action>
-    auto
-    in_checks(const Action &action)
-    {
-      try
-        {
-          return action();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(std::string("Expected results / Checks: ") +
-                           error.what());
-        }
-    }
+    const std::string checks_entry = "Expected results / Checks: ";
 
     std::string
     step_sizes_in_words(const StepCounts &counts)
@@ -67,7 +54,9 @@ namespace Signorini
             problem.output.interface_times,
             problem.output.time_between_fields)
     , fields_(problem)
-    , expected_(checked_expected_results(problem))
+    , expected_(
+        with_path(checks_entry,
+                  [&] { return ExpectedResults(problem.output.checks); }))
     , checkpoint_clock_(problem.output.steps_between_checkpoints,
                         problem.output.minutes_between_checkpoints)
     , start_time_(0.)
@@ -75,21 +64,8 @@ namespace Signorini
   {
     record_.step_memory = StepMemory(problem.time.step_size);
     add_history_columns(problem, record_.history);
-  }
-
-
-
-  template <int dim>
-  ExpectedResults
-  Simulation<dim>::checked_expected_results(const Problem<dim> &problem)
-  {
-    return in_checks([&] {
-      ExpectedResults expected(problem.output.checks);
-      History         history;
-      add_history_columns(problem, history);
-      expected.check_names(history, ResultFields<dim>(problem));
-      return expected;
-    });
+    with_path(checks_entry,
+              [&] { expected_.check_names(record_.history, fields_); });
   }
 
 

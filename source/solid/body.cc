@@ -1,5 +1,6 @@
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/named_list.h>
 #include <signorini/nearest_name.h>
 #include <signorini/solid/body.h>
@@ -19,23 +20,6 @@ namespace Signorini
 
   namespace
   {
-    // Meshes and materials do not know whose they are.
-    template <typename Creator>
-    auto
-    named(const std::string &body, const Creator &create)
-    {
-      try
-        {
-          return create();
-        }
-      catch (const InputError &error)
-        {
-          throw InputError("Body " + body + " / " + error.what());
-        }
-    }
-
-
-
     // Bilinear cells need no table; for curved ones the manifold is asked once
     // a cell instead of at every visit.
     template <int dim>
@@ -111,22 +95,22 @@ namespace Signorini
     , formulation_(formulation)
     , kinematics_(kinematics)
     , has_mean_dilatation_(false)
-    , mesh_(named(name,
-                  [&] {
-                    return create_mesh<dim>(prm,
-                                            base_directory,
-                                            formulation ==
-                                                Formulation::axisymmetric ?
-                                              "axisymmetric" :
-                                              "");
-                  }))
-    , material_(named(name,
+    , mesh_(with_path("Body " + name + " / ",
                       [&] {
-                        return create_material("Material",
-                                               kinematics_,
-                                               base_directory,
-                                               prm);
+                        return create_mesh<dim>(prm,
+                                                base_directory,
+                                                formulation ==
+                                                    Formulation::axisymmetric ?
+                                                  "axisymmetric" :
+                                                  "");
                       }))
+    , material_(with_path("Body " + name + " / ",
+                          [&] {
+                            return create_material("Material",
+                                                   kinematics_,
+                                                   base_directory,
+                                                   prm);
+                          }))
     , thickness_(prm.get_double("Thickness"))
     , mass_damping_(prm.get_double("Mass damping"))
     , stiffness_damping_(prm.get_double("Stiffness damping"))
@@ -164,12 +148,13 @@ namespace Signorini
                              region + "\"." + did_you_mean(region, names) +
                              " It has: " + comma_separated(names) + ".");
           }
-        region_materials_[found->second] = named(name_, [&] {
-          return create_material("Material " + region,
-                                 kinematics_,
-                                 base_directory,
-                                 prm);
-        });
+        region_materials_[found->second] =
+          with_path("Body " + name_ + " / ", [&] {
+            return create_material("Material " + region,
+                                   kinematics_,
+                                   base_directory,
+                                   prm);
+          });
       }
   }
 

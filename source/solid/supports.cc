@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/named_list.h>
 #include <signorini/solid/supports.h>
 
@@ -174,32 +175,17 @@ namespace Signorini
               motions_.back().get());
         }
 
-    try
-      {
-        follow_global_run(body, prm.get("From global run"), global_run);
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(section + "From global run: " + error.what());
-      }
-    for (const std::string &boundary : split_list(prm.get("Sliding"), '|'))
-      try
-        {
-          add_sliding_nodes(body, boundary);
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "Sliding: " + error.what());
-        }
-    for (const std::string &boundary : split_list(prm.get("Absorbing"), '|'))
-      try
-        {
-          absorbing_boundaries_.insert(body.mesh().boundary(boundary));
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(section + "Absorbing: " + error.what());
-        }
+    with_path(section + "From global run: ", [&] {
+      follow_global_run(body, prm.get("From global run"), global_run);
+    });
+    with_path(section + "Sliding: ", [&] {
+      for (const std::string &boundary : split_list(prm.get("Sliding"), '|'))
+        add_sliding_nodes(body, boundary);
+    });
+    with_path(section + "Absorbing: ", [&] {
+      for (const std::string &boundary : split_list(prm.get("Absorbing"), '|'))
+        absorbing_boundaries_.insert(body.mesh().boundary(boundary));
+    });
     prm.leave_subsection();
   }
 

@@ -21,7 +21,7 @@ namespace Signorini
    * until MeshAdaptation is content, and leaves it on the last of them. The
    * table of the meshes goes to meshes.csv in the folder.
    * @param problem on its first mesh
-   * @return the refinements of each body; none if the problem is not adaptive
+   * @return the refinements of each body
    * @throws InputError, ComputationError, Interrupted.
    */
   template <int dim>

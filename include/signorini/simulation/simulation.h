@@ -40,17 +40,7 @@ namespace Signorini
   class Simulation
   {
   public:
-    /**
-     * The checks of the problem.
-     * @throws InputError on a mistake in them, or for a name that is not there.
-     */
-    static ExpectedResults
-    checked_expected_results(const Problem<dim> &problem);
-
-    /**
-     * The problem and the timings must outlive the object.
-     * @throws InputError as checked_expected_results().
-     */
+    /** The problem and the timings must outlive the object. */
     Simulation(const Problem<dim> &problem, Timings &timings);
 
     /**
