@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace Signorini
@@ -209,9 +210,13 @@ namespace Signorini
       {
         const Allowance      &allowance = allowances_[&pair - pairs_.data()];
         const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
+        std::optional<PlacedPair<dim>> placed_before;
+        if (pair.constraint == ContactConstraint::mortar)
+          placed_before.emplace(pair, before, before, hanging_nodes_);
         // A node of mortar may rest inside if others around are outside.
-        const auto rests_inside = [&](const unsigned int node) {
-          const auto target = closest_to(placed, {{node, 1.}});
+        const auto rests_inside = [](const PlacedPair<dim> &of_pair,
+                                     const unsigned int     node) {
+          const auto target = closest_to(of_pair, {{node, 1.}});
           return target && target->gap <= 0.;
         };
         for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
@@ -224,8 +229,8 @@ namespace Signorini
                                          placed.positions[node],
                                          start_gaps[k],
                                          pair.contactor.nodes[n].dofs[0]) &&
-                !(pair.constraint == ContactConstraint::mortar &&
-                  rests_inside(node)))
+                !(placed_before && (rests_inside(*placed_before, node) ||
+                                    rests_inside(placed, node))))
               passed.push_back(k);
           }
       }
@@ -268,6 +273,7 @@ namespace Signorini
           const ContactPoint<dim> &point   = points[k];
           InterfaceContact        &contact = contacts[k];
           contact.gap                      = point.gap;
+          contact.rounding                 = rounding();
           contact.normal = interface_.row(point.gap_gradient, -1.);
           if (pair.friction.is_frictionless() || !point.is_in_reach())
             continue;

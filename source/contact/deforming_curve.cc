@@ -100,11 +100,9 @@ namespace Signorini
         : chain(chain)
         , positions_before(
             node_positions(chain.nodes.nodes, before.displacement))
-        , curve(chain.weights.curve(
-            node_positions(chain.nodes.nodes, now.displacement)))
+        , positions(node_positions(chain.nodes.nodes, now.displacement))
+        , curve(chain.weights.curve(positions))
       {
-        const auto positions =
-          node_positions(chain.nodes.nodes, now.displacement);
         for (unsigned int n = 0; n < positions.size(); ++n)
           largest_motion = std::max(largest_motion,
                                     positions[n].distance(positions_before[n]));
@@ -122,6 +120,7 @@ namespace Signorini
 
       const DeformingCurve::Chain &chain;
       const std::vector<Point<2>>  positions_before;
+      const std::vector<Point<2>>  positions;
       Curve                        curve;
       double                       largest_motion = 0.; // of a node, m
     };
@@ -172,6 +171,13 @@ namespace Signorini
 
       static TargetPoint<2>
       target_point(const PlacedChain &chain, const CurveProjection &projection);
+
+      // How far inside a point comes after it crossed the curve, m.
+      static double
+      depth_behind(const Crossing    &crossing,
+                   const PlacedChain &chain,
+                   const Point<2>    &start,
+                   const Point<2>    &end);
 
       const double             reach_;
       const double             penetration_limit_;
@@ -226,6 +232,33 @@ namespace Signorini
 
 
 
+    double
+    PlacedCurve::depth_behind(const Crossing    &crossing,
+                              const PlacedChain &chain,
+                              const Point<2>    &start,
+                              const Point<2>    &end)
+    {
+      constexpr unsigned int n_samples = 16;
+      double                 deepest   = 0.;
+      for (unsigned int i = 1; i <= n_samples; ++i)
+        {
+          const double t =
+            crossing.fraction + i * (1. - crossing.fraction) / n_samples;
+          std::vector<Point<2>> positions(chain.positions_before);
+          for (unsigned int n = 0; n < positions.size(); ++n)
+            positions[n] += t * (chain.positions[n] - positions[n]);
+          const Curve curve = chain.chain.weights.curve(positions);
+          const auto  found =
+            CurveSearch(curve).project(start + t * (end - start));
+          if (!found || found->gap > 0.)
+            break;
+          deepest = std::max(deepest, -found->gap);
+        }
+      return deepest;
+    }
+
+
+
     bool
     PlacedCurve::is_passed(const Point<2>    &start,
                            const Point<2>    &end,
@@ -243,7 +276,10 @@ namespace Signorini
             continue;
           const Curve before =
             chain.chain.weights.curve(chain.positions_before);
-          if (CurveCrossing(before, chain.curve).first(start, end))
+          const auto crossing =
+            CurveCrossing(before, chain.curve).first(start, end);
+          if (crossing && depth_behind(*crossing, chain, start, end) >
+                            passage_depth(start, motion))
             return true;
         }
       return false;

@@ -1,4 +1,5 @@
 #include <signorini/contact/facet_target.h>
+#include <signorini/contact/moving_triangle.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
@@ -91,31 +92,6 @@ namespace Signorini
 
       RTree<std::pair<BoundingBox<3>, unsigned int>> tree_;
     };
-
-
-
-    // Does a path enter through a triangle, against its normal? Its end does
-    // not count: what is there has arrived, but not passed.
-    bool
-    enters(const Point<3>                &start,
-           const Tensor<1, 3>            &path,
-           const std::array<Point<3>, 3> &corners)
-    {
-      const Tensor<1, 3> a           = corners[1] - corners[0];
-      const Tensor<1, 3> b           = corners[2] - corners[0];
-      const Tensor<1, 3> arm         = start - corners[0];
-      const Tensor<1, 3> normal      = cross_product_3d(a, b);
-      const double       determinant = -(path * normal);
-      if (!(determinant > 0.))
-        return false;
-      // start + t path = corner + u a + v b
-      const double       t    = arm * normal / determinant;
-      const Tensor<1, 3> turn = cross_product_3d(arm, path);
-      const double       u    = -(b * turn) / determinant;
-      const double       v    = a * turn / determinant;
-      return t > 0. && t < 1. - rounding_of_place &&
-             std::min({u, v, 1. - u - v}) > -rounding_of_place;
-    }
 
 
 
@@ -292,19 +268,26 @@ namespace Signorini
     {
       if (std::min(start_gap, reach_) >= start.distance(end) + largest_motion_)
         return false;
-      constexpr std::array<double, 4> middle = {{0.25, 0.25, 0.25, 0.25}};
+      const double tolerance =
+        passage_depth(start, end.distance(start) + largest_motion_);
       for (unsigned int f = 0; f < surface_.faces.size(); ++f)
         {
           if (carries(f, unknown))
             continue;
-          const Tensor<1, 3> path = end - start -
-                                    interpolate(f, middle, positions_) +
-                                    interpolate(f, middle, positions_before_);
-          const auto corner = [&](const unsigned int a) {
-            return positions_before_[surface_.faces[f][a]];
+          const auto triangle = [&](const unsigned int a,
+                                    const unsigned int b,
+                                    const unsigned int c) {
+            const auto    &face = surface_.faces[f];
+            MovingTriangle moving;
+            moving.start = {{positions_before_[face[a]],
+                             positions_before_[face[b]],
+                             positions_before_[face[c]]}};
+            moving.end   = {
+                {positions_[face[a]], positions_[face[b]], positions_[face[c]]}};
+            return moving;
           };
-          if (enters(start, path, {{corner(0), corner(1), corner(2)}}) ||
-              enters(start, path, {{corner(1), corner(3), corner(2)}}))
+          if (passes(start, end, triangle(0, 1, 2), tolerance) ||
+              passes(start, end, triangle(1, 3, 2), tolerance))
             return true;
         }
       return false;

@@ -92,6 +92,7 @@ namespace Signorini
                  end.distance(now_.centre + now_.translation));
       // Not less than the length of the path in the body
       const double           length = motion.norm() + std::abs(angle) * lever;
+      const double           depth  = passage_depth(start, length);
       constexpr unsigned int most   = 100; // a path that grazes comes no nearer
       double                 passed = 0.;  // along the path
       for (unsigned int i = 0; i < most && passed < length; ++i)
@@ -105,7 +106,7 @@ namespace Signorini
           const Point<dim> X =
             on_the_way.to_body(start + share * (end - start));
           const double gap = body_.surface().closest(X).gap;
-          if (gap < 0. && passed > 0.)
+          if (gap < -depth && passed > 0.)
             return true;
           passed += std::max(gap, 1e-3 * length);
         }

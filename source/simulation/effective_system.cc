@@ -4,27 +4,27 @@
 #include <signorini/simulation/effective_system.h>
 #include <signorini/variational_inequality/kkt_residual.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace Signorini
 {
   using namespace dealii;
 
   namespace
   {
-    // Weaker than this, the solutions of the interface problem have lost more
-    // digits than the tolerances allow.
-    constexpr double weakest_pivot = 1e-6;
+    // Weaker than this, a stiffness is lost in rounding.
+    constexpr double weakest_pivot = 1e-13;
 
     // False if the matrix is not positive definite, or too weak.
     bool
-    set_if_definite(const FullMatrix<double> &matrix,
-                    const double              weakest,
-                    InterfaceProblem         &problem)
+    set_if_definite(const FullMatrix<double> &matrix, InterfaceProblem &problem)
     {
       try
         {
           auto       stiffness = InterfaceStiffness::from_matrix(matrix);
-          const bool is_strong =
-            weakest == 0. || stiffness.smallest_pivot() > weakest;
+          const bool is_strong = stiffness.smallest_pivot() > weakest_pivot;
           if (is_strong)
             problem.set_stiffness(std::move(stiffness));
           return is_strong;
@@ -32,22 +32,6 @@ namespace Signorini
       catch (const ComputationError &)
         {
           return false;
-        }
-    }
-
-    // Adds springs that resist any correction, as soft as it may be.
-    void
-    set_with_least_springs(FullMatrix<double> &matrix,
-                           const double        largest,
-                           InterfaceProblem   &problem)
-    {
-      double spring = 0.;
-      while (!set_if_definite(matrix, weakest_pivot, problem))
-        {
-          const double next = std::max(1e-6 * largest, 3. * spring);
-          for (unsigned int i = 0; i < matrix.m(); ++i)
-            matrix(i, i) += next - spring;
-          spring = next;
         }
     }
 
@@ -60,19 +44,73 @@ namespace Signorini
       return largest;
     }
 
-    // stiffness += spring row^T row, force += spring target row^T: a spring
-    // without force where row . du = target.
-    void
-    add_spring(const SparseRow    &row,
-               const double        target,
-               const double        spring,
-               FullMatrix<double> &stiffness,
-               Vector<double>     &force)
+    // Adds springs that resist any correction, as soft as it may be, and
+    // returns theirs.
+    double
+    set_with_least_springs(FullMatrix<double> &matrix,
+                           InterfaceProblem   &problem)
     {
+      const double largest = largest_diagonal(matrix);
+      double       spring  = 0.;
+      while (!set_if_definite(matrix, problem))
+        {
+          const double next = std::max(1e-6 * largest, 3. * spring);
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            matrix(i, i) += next - spring;
+          spring = next;
+        }
+      return spring;
+    }
+
+    // Mean diagonal entry of the unknowns that a mode moves; zero if none of
+    // them has a stiffness.
+    double
+    mean_stiffness(const SparseMatrix<double> &stiffness,
+                   const Vector<double>       &mode)
+    {
+      double       sum = 0.;
+      unsigned int n   = 0;
+      for (unsigned int i = 0; i < mode.size(); ++i)
+        if (mode[i] != 0. && stiffness.diag_element(i) > 0.)
+          {
+            sum += stiffness.diag_element(i);
+            ++n;
+          }
+      return n > 0 ? sum / n : 0.;
+    }
+
+    // Rigid bodies have no stiffness of their own: theirs is the smallest.
+    void
+    replace_zeros(std::vector<double> &stiffnesses, const double otherwise)
+    {
+      double smallest = otherwise;
+      for (const double stiffness : stiffnesses)
+        if (stiffness > 0.)
+          smallest = std::min(smallest, stiffness);
+      for (double &stiffness : stiffnesses)
+        if (stiffness == 0.)
+          stiffness = smallest;
+    }
+
+    Vector<double>
+    restrict_to(const std::vector<unsigned int> &unknowns,
+                const Vector<double>            &values)
+    {
+      Vector<double> result(unknowns.size());
+      for (unsigned int i = 0; i < unknowns.size(); ++i)
+        result[i] = values[unknowns[i]];
+      return result;
+    }
+
+    // Of the nodes of a contact, one after the other: that of the softest.
+    double
+    series_stiffness(const SparseRow &row, const FullMatrix<double> &stiffness)
+    {
+      double compliance = 0.;
       for (const auto &[i, a] : row)
-        for (const auto &[j, b] : row)
-          stiffness(i, j) += spring * a * b;
-      row.add_to(force, spring * target);
+        if (stiffness(i, i) > 0.)
+          compliance += a * a / stiffness(i, i);
+      return compliance > 0. ? 1. / compliance : largest_diagonal(stiffness);
     }
   } // namespace
 
@@ -83,6 +121,7 @@ namespace Signorini
     const SolidModel<dim>              &solid,
     const ContactModel<dim>            &contact,
     std::unique_ptr<InterfaceAlgorithm> algorithm,
+    const bool                          is_static,
     Timings                            &timings)
     : solid_(solid)
     , contact_(contact)
@@ -93,17 +132,61 @@ namespace Signorini
     , may_be_weak_(false)
     , is_indefinite_(false)
     , indefinite_unknown_(0)
-    , interface_spring_(0.)
     , last_softness_(0.)
+    , trailing_(contact.interface_dofs())
     , section_factorisation_(timings.add("factorisation"))
     , section_substitution_(timings.add("substitution"))
     , section_interface_(timings.add("interface problem"))
   {
     const auto timing = timings_.measure("ordering");
-    solver_->prepare(solid.sparsity(),
-                     solid.is_fixed(),
-                     contact.interface_dofs());
+    if (is_static)
+      pin_free_modes();
+    trailing_spring_.reinit(trailing_.size());
+    solver_->prepare(solid.sparsity(), solid.is_fixed(), trailing_);
     matrix_.reinit(solid.sparsity());
+  }
+
+
+
+  template <int dim>
+  void
+  EffectiveSystem<dim>::pin_free_modes()
+  {
+    const Vector<double>        at_start(solid_.n_dofs());
+    std::vector<Vector<double>> motions;
+    for (auto &mode : solid_.free_modes(at_start))
+      {
+        mode_stiffness_.push_back(
+          mean_stiffness(solid_.stiffness(), mode.motion));
+        motions.push_back(std::move(mode.motion));
+      }
+    Vector<double> everything(solid_.n_dofs());
+    everything = 1.;
+    replace_zeros(mode_stiffness_,
+                  mean_stiffness(solid_.stiffness(), everything));
+    const auto pins = FreeModes::pins(motions, solid_.is_fixed());
+    for (const unsigned int pin : pins)
+      {
+        const auto found = std::find(trailing_.begin(), trailing_.end(), pin);
+        pins_.push_back(found - trailing_.begin());
+        if (found == trailing_.end())
+          trailing_.push_back(pin);
+      }
+    place(at_start);
+  }
+
+
+
+  template <int dim>
+  void
+  EffectiveSystem<dim>::place(const Vector<double> &displacement)
+  {
+    if (pins_.empty())
+      return;
+    std::vector<Vector<double>> modes;
+    for (const auto &mode : solid_.free_modes(displacement))
+      modes.push_back(restrict_to(trailing_, mode.motion));
+    free_modes_ = FreeModes(modes, mode_stiffness_);
   }
 
 
@@ -125,12 +208,11 @@ namespace Signorini
       matrix_.add(factors.damping, solid_.damping());
     for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
       matrix_.diag_element(i) *= factors.lumped;
-    if (factors.mass == 0.)
-      for (unsigned int i = 0; i < solid_.proximal_stiffness().size(); ++i)
-        matrix_.diag_element(i) += solid_.proximal_stiffness()[i];
-    is_indefinite_    = false;
-    may_be_weak_      = tangent && factors.mass == 0.;
-    interface_spring_ = 0.;
+    is_indefinite_   = false;
+    may_be_weak_     = tangent && factors.mass == 0.;
+    trailing_spring_ = 0.;
+    for (unsigned int k = 0; k < pins_.size(); ++k)
+      add_spring(pins_[k], mode_stiffness_[k]);
     try
       {
         solver_->factorise(matrix_);
@@ -154,14 +236,22 @@ namespace Signorini
 
   template <int dim>
   void
+  EffectiveSystem<dim>::add_spring(const unsigned int trailing,
+                                   const double       spring)
+  {
+    matrix_.diag_element(trailing_[trailing]) += spring;
+    trailing_spring_[trailing] += spring;
+  }
+
+
+
+  template <int dim>
+  void
   EffectiveSystem<dim>::factorise_with_springs()
   {
-    const SparseMatrix<double> &initial   = solid_.stiffness();
-    const auto                 &interface = contact_.interface_dofs();
-    for (const unsigned int i : interface)
-      interface_spring_ = std::max(interface_spring_, initial.diag_element(i));
-    for (const unsigned int i : interface)
-      matrix_.diag_element(i) += interface_spring_;
+    const SparseMatrix<double> &initial = solid_.stiffness();
+    for (unsigned int i = 0; i < trailing_.size(); ++i)
+      add_spring(i, initial.diag_element(trailing_[i]));
     // The softest that will do: the closer to the limit, the faster the
     // iteration leaves what is unstable.
     constexpr double smallest = 1e-10, largest = 1., growth = 3.;
@@ -206,8 +296,8 @@ namespace Signorini
     InterfaceSolution solution;
     {
       const auto timing = timings_.measure(section_interface_);
-      pose_interface_problem(points, multipliers, coefficients, reduced_force);
-      solution = algorithm_->solve(problem_, multipliers);
+      problem_.set_contacts(contact_.constraints(points, coefficients));
+      solution = solve_interface_problem(points, multipliers, reduced_force);
 
       // The conditions of optimality are not those that a penalty obeys, or a
       // friction that creeps.
@@ -228,61 +318,128 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  EffectiveSystem<dim>::pose_interface_problem(
+  InterfaceSolution
+  EffectiveSystem<dim>::solve_interface_problem(
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &multipliers,
-    const std::vector<double>            &coefficients,
     Vector<double>                       &reduced_force)
   {
-    problem_.set_contacts(contact_.constraints(points, coefficients));
-    const double weakest = may_be_weak_ ? weakest_pivot : 0.;
-    if (contact_.is_flat() && interface_spring_ == 0. &&
-        (!may_be_weak_ || stiffness_.smallest_pivot() > weakest))
+    const bool is_as_factorised =
+      contact_.is_flat() && trailing_spring_.all_zero() &&
+      (!may_be_weak_ || stiffness_.smallest_pivot() > weakest_pivot);
+    if (is_as_factorised)
       {
         problem_.set_reduced_force(reduced_force);
-        return;
+        return algorithm_->solve(problem_, multipliers);
       }
     stiffness_.multiply_factor(reduced_force);
-    const FullMatrix<double> plain     = stiffness_.matrix();
-    FullMatrix<double>       stiffness = plain;
-    for (unsigned int i = 0; i < stiffness.m(); ++i)
-      stiffness(i, i) -= interface_spring_;
-    contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
-    if (set_if_definite(stiffness, weakest, problem_))
-      {
-        problem_.set_force(reduced_force);
-        return;
-      }
-    hold_closed_contacts(multipliers,
-                         largest_diagonal(plain),
-                         stiffness,
-                         reduced_force);
-    set_with_least_springs(stiffness, largest_diagonal(plain), problem_);
+    const auto stiffness = interface_stiffness(points, multipliers);
+    if (!free_modes_.empty() || !set_if_definite(stiffness, problem_))
+      return solve_with_springs(stiffness, reduced_force, multipliers);
     problem_.set_force(reduced_force);
+    return algorithm_->solve(problem_, multipliers);
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  EffectiveSystem<dim>::interface_stiffness(
+    const std::vector<ContactPoint<dim>> &points,
+    const InterfaceForces                &multipliers) const
+  {
+    FullMatrix<double> stiffness = stiffness_.matrix();
+    for (unsigned int i = 0; i < stiffness.m(); ++i)
+      stiffness(i, i) -= trailing_spring_[i];
+    contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
+    return stiffness;
+  }
+
+
+
+  template <int dim>
+  InterfaceSolution
+  EffectiveSystem<dim>::solve_with_springs(const FullMatrix<double> &stiffness,
+                                           const Vector<double>     &force,
+                                           const InterfaceForces &multipliers)
+  {
+    constexpr unsigned int most_passes = 10;
+    InterfaceForces        forces      = multipliers;
+    Vector<double>         centre(force.size());
+    double                 last_borne = std::numeric_limits<double>::max();
+    for (unsigned int pass = 1;; ++pass)
+      {
+        // 1. Closed contacts hold the bodies, and springs what these do not
+        std::vector<Spring> springs;
+        std::vector<double> rests; // row . du without a force
+        hold_closed_contacts(forces, stiffness, springs, rests);
+        for (auto &spring : free_modes_.springs(springs))
+          {
+            rests.push_back(spring.row.dot(centre));
+            springs.push_back(std::move(spring));
+          }
+        FullMatrix<double> held(stiffness);
+        Vector<double>     held_force(force);
+        for (unsigned int s = 0; s < springs.size(); ++s)
+          {
+            const auto &[row, spring] = springs[s];
+            for (const auto &[i, a] : row)
+              for (const auto &[j, b] : row)
+                held(i, j) += spring * a * b;
+            row.add_to(held_force, spring * rests[s]);
+          }
+        const double least = set_with_least_springs(held, problem_);
+
+        // 2. The contact problem with them
+        problem_.set_force(held_force);
+        InterfaceSolution solution = algorithm_->solve(problem_, forces);
+
+        // 3. Once more, until they bear nothing. Where the stiffness is
+        // indefinite, this would lead away from the linearisation.
+        Vector<double> borne(force.size());
+        for (unsigned int s = 0; s < springs.size(); ++s)
+          springs[s].row.add_to(borne,
+                                springs[s].stiffness *
+                                  (springs[s].row.dot(solution.displacement) -
+                                   rests[s]));
+        const double size   = borne.linfty_norm();
+        const bool   is_new = size < 0.5 * last_borne;
+        if (least > 0. || size <= 1e-12 * problem_.force().linfty_norm() ||
+            !is_new || pass == most_passes)
+          return solution;
+        last_borne = size;
+        centre     = solution.displacement;
+        forces     = std::move(solution.forces);
+      }
   }
 
 
 
   template <int dim>
   void
-  EffectiveSystem<dim>::hold_closed_contacts(const InterfaceForces &multipliers,
-                                             const double           spring,
-                                             FullMatrix<double>    &stiffness,
-                                             Vector<double>        &force) const
+  EffectiveSystem<dim>::hold_closed_contacts(
+    const InterfaceForces    &forces,
+    const FullMatrix<double> &stiffness,
+    std::vector<Spring>      &springs,
+    std::vector<double>      &rests) const
   {
+    const auto hold = [&](const SparseRow &row, const double rest) {
+      springs.push_back({row, series_stiffness(row, stiffness)});
+      rests.push_back(rest);
+    };
     for (unsigned int k = 0; k < problem_.n_contacts(); ++k)
       {
         const InterfaceContact &contact = problem_.contact(k);
-        if (multipliers.normal[k] <= 0. || contact.is_out_of_reach())
+        if (forces.normal[k] <= 0. || contact.is_out_of_reach())
           continue;
-        add_spring(contact.normal, contact.gap, spring, stiffness, force);
-        const auto  &friction = multipliers.tangential[k];
-        const double bound    = contact.friction_bound(multipliers.normal[k]);
+        hold(contact.normal, contact.gap);
+        if (forces.tangential.empty())
+          continue;
+        const auto  &friction = forces.tangential[k];
+        const double bound    = contact.friction_bound(forces.normal[k]);
         if (std::hypot(friction[0], friction[1]) < 0.99 * bound)
           for (unsigned int j = 0; j < contact.tangents.size(); ++j)
-            add_spring(
-              contact.tangents[j], -contact.slip[j], spring, stiffness, force);
+            hold(contact.tangents[j], -contact.slip[j]);
       }
   }
 

@@ -292,6 +292,14 @@ namespace Signorini
                    "convergent method solved the contact of " +
                    time_step_.fallbacks());
       }
+    if (time_step_.approach() > 0.)
+      {
+        std::ostringstream message;
+        message << "step " << state.step << ": the loads moved free bodies by "
+                << time_step_.approach()
+                << " m as a whole to where contact holds them";
+        log.line(message.str());
+      }
     if (!time_step_.indefinite_at().empty())
       log.detail("step " + std::to_string(state.step) +
                  ": the stiffness was not positive definite at " +

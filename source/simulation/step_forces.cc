@@ -83,7 +83,7 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::factorise(const double step_size)
+  TimeStep<dim>::factorise(const double step_size, const State &state)
   {
     const auto factors = effective_factors(step_size);
     if (solid_.is_linear())
@@ -94,6 +94,8 @@ namespace Signorini
     try
       {
         system_.factorise(factors, &tangent_);
+        if (has_free_modes_)
+          system_.place(state.displacement);
         if (system_.is_indefinite())
           indefinite_at_ =
             solid_.unknown_in_words(system_.indefinite_unknown());
@@ -221,49 +223,6 @@ namespace Signorini
 
 
 
-  template <int dim>
-  double
-  TimeStep<dim>::imbalance(const State                          &old_state,
-                           const State                          &state,
-                           Vector<double>                        residual,
-                           const std::vector<ContactPoint<dim>> &points,
-                           const InterfaceForces &multipliers) const
-  {
-    const auto   timing    = timings_.measure(section_residual_);
-    const double step_size = state.time - old_state.time;
-    contact_.add_contact_forces(points, multipliers, 1., residual);
-    double largest = 0.;
-    for (unsigned int i = 0; i < residual.size(); ++i)
-      if (!solid_.is_fixed()[i])
-        largest = std::max(largest, std::abs(residual[i]));
-    return largest == 0. ? 0. :
-                           largest / force_scale(state, step_size, multipliers);
-  }
-
-
-
-  template <int dim>
-  double
-  TimeStep<dim>::force_scale(const State           &state,
-                             const double           step_size,
-                             const InterfaceForces &multipliers) const
-  {
-    // A body in free flight has no forces but rounding, which is in proportion
-    // to the forces that would hold back its displacement.
-    const double held_back =
-      (largest_stiffness_ + largest_mass_ * effective_factors(step_size).mass) *
-      state.displacement.linfty_norm();
-    double scale = std::max({state.external_force.linfty_norm(),
-                             state.internal_force.linfty_norm(),
-                             largest_mass_ * state.acceleration.linfty_norm(),
-                             1e-5 * held_back});
-    for (const double multiplier : multipliers.normal)
-      scale = std::max(scale, multiplier);
-    return scale;
-  }
-
-
-
   template typename EffectiveSystem<2>::Factors
   TimeStep<2>::effective_factors(const double) const;
   template void
@@ -271,7 +230,7 @@ namespace Signorini
   template void
   TimeStep<2>::move_supports(const State &, const double, State &);
   template void
-  TimeStep<2>::factorise(const double);
+  TimeStep<2>::factorise(const double, const State &);
   template void
   TimeStep<2>::update_rates(const State &, const double, State &) const;
   template void
@@ -282,16 +241,6 @@ namespace Signorini
                                   Vector<double> &) const;
   template Vector<double>
   TimeStep<2>::residual(const State &, const State &) const;
-  template double
-  TimeStep<2>::imbalance(const State &,
-                         const State &,
-                         Vector<double>,
-                         const std::vector<ContactPoint<2>> &,
-                         const InterfaceForces &) const;
-  template double
-  TimeStep<2>::force_scale(const State &,
-                           const double,
-                           const InterfaceForces &) const;
   template typename EffectiveSystem<3>::Factors
   TimeStep<3>::effective_factors(const double) const;
   template void
@@ -299,7 +248,7 @@ namespace Signorini
   template void
   TimeStep<3>::move_supports(const State &, const double, State &);
   template void
-  TimeStep<3>::factorise(const double);
+  TimeStep<3>::factorise(const double, const State &);
   template void
   TimeStep<3>::update_rates(const State &, const double, State &) const;
   template void
@@ -310,14 +259,4 @@ namespace Signorini
                                   Vector<double> &) const;
   template Vector<double>
   TimeStep<3>::residual(const State &, const State &) const;
-  template double
-  TimeStep<3>::imbalance(const State &,
-                         const State &,
-                         Vector<double>,
-                         const std::vector<ContactPoint<3>> &,
-                         const InterfaceForces &) const;
-  template double
-  TimeStep<3>::force_scale(const State &,
-                           const double,
-                           const InterfaceForces &) const;
 } // namespace Signorini

@@ -1,9 +1,11 @@
 #include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/initial_acceleration.h>
+#include <signorini/simulation/rigid_mechanism.h>
 #include <signorini/simulation/slip.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -85,27 +87,6 @@ namespace Signorini
       return largest;
     }
 
-    // Relative to the largest contact force, or to @p smallest if that is more.
-    double
-    relative_change(const InterfaceForces &old_forces,
-                    const InterfaceForces &new_forces,
-                    const double           smallest)
-    {
-      double change = 0., largest = smallest;
-      for (unsigned int k = 0; k < new_forces.normal.size(); ++k)
-        {
-          const double before = old_forces.normal[k];
-          const double after  = new_forces.normal[k];
-          change              = std::max(change, std::abs(after - before));
-          largest             = std::max({largest, after, before});
-          for (unsigned int j = 0; j < 2; ++j)
-            change = std::max(change,
-                              std::abs(new_forces.tangential[k][j] -
-                                       old_forces.tangential[k][j]));
-        }
-      return change == 0. ? 0. : change / largest;
-    }
-
     void
     scale(InterfaceForces &forces, const double factor)
     {
@@ -114,24 +95,6 @@ namespace Signorini
       for (auto &tangential : forces.tangential)
         for (double &component : tangential)
           component *= factor;
-    }
-
-    std::string
-    failure_message(const State       &state,
-                    const double       force_change,
-                    const std::string &indefinite_at)
-    {
-      std::ostringstream message;
-      message << "not converged after " << state.n_iterations
-              << (state.n_iterations == 1 ? " iteration" : " iterations")
-              << ": unbalanced force " << state.residual
-              << " of the largest force, change of contact "
-              << "forces " << force_change << ", interface residual "
-              << state.kkt_residual;
-      if (!indefinite_at.empty())
-        message << "; the stiffness was not positive definite at "
-                << indefinite_at;
-      return message.str();
     }
   } // namespace
 
@@ -153,10 +116,13 @@ namespace Signorini
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, multiplier_factor_),
+              !settings.time.dynamic,
               timings)
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
-    , largest_stiffness_(largest_diagonal(solid.stiffness()))
     , extent_(extent(solid))
+    , has_free_modes_(!settings.time.dynamic &&
+                      !solid.free_modes(Vector<double>(solid.n_dofs())).empty())
+    , approach_(0.)
     , section_residual_(timings.add("residual and energy"))
     , section_assembly_(solid.is_linear() ? section_residual_ :
                                             timings.add("assembly"))
@@ -221,6 +187,54 @@ namespace Signorini
     fallbacks_.clear();
     indefinite_at_.clear();
     residuals_.clear();
+    approach_ = 0.;
+    if (!has_free_modes_)
+      return iterate(old_state, step_size, old_state.contact_forces);
+    State      start  = old_state;
+    const auto forces = approach_contact(old_state.time + step_size, start);
+    return iterate(start, step_size, forces);
+  }
+
+
+
+  template <int dim>
+  InterfaceForces
+  TimeStep<dim>::approach_contact(const double time, State &start)
+  {
+    const auto     timing = timings_.measure(section_contact_);
+    Vector<double> displacement(start.displacement);
+    solid_.apply_supports(time, displacement);
+    std::vector<Vector<double>> modes;
+    for (auto &mode : solid_.free_modes(displacement))
+      modes.push_back(std::move(mode.motion));
+    const RigidMechanism<dim> mechanism(
+      contact_, modes, solid_.external_force(time, displacement));
+    const auto approach = mechanism.approach(displacement, time);
+    if (!approach.is_balanced)
+      return start.contact_forces;
+    const auto &old_forces = start.contact_forces.normal;
+    const bool  is_held =
+      std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
+        return force > 0.;
+      });
+    approach_ = approach.way.linfty_norm();
+    if (approach_ == 0.)
+      return is_held ? start.contact_forces : approach.forces;
+    start.displacement += approach.way;
+    const auto points = contact_.evaluate({start.displacement, start.time});
+    for (unsigned int k = 0; k < points.size(); ++k)
+      start.gaps[k] = points[k].gap;
+    return approach.forces;
+  }
+
+
+
+  template <int dim>
+  State
+  TimeStep<dim>::iterate(const State           &old_state,
+                         const double           step_size,
+                         const InterfaceForces &first_forces)
+  {
     State state = old_state;
     ++state.step;
     state.time += step_size;
@@ -236,7 +250,7 @@ namespace Signorini
     if (!held.empty())
       throw ComputationError("Contact: " + held);
 
-    Iterate iterate = {old_state.contact_forces,
+    Iterate iterate = {first_forces,
                        old_state.is_slipping,
                        friction_coefficients(contact_, old_state),
                        std::numeric_limits<double>::max(),
@@ -247,10 +261,9 @@ namespace Signorini
         update_rates(old_state, step_size, state);
         const auto           points = evaluate_contact(state, old_state);
         const Vector<double> force  = residual(old_state, state);
-        state.residual =
-          imbalance(old_state, state, force, points, iterate.multipliers);
-        residuals_.push_back(state.residual);
-        if (is_solved(state, points, iterate))
+        measure_balance(old_state, force, points, iterate.multipliers, state);
+        const auto unmet = unmet_criterion(state, points, iterate);
+        if (!unmet)
           {
             refuse_passage(old_state, iterate, state);
             finish(old_state, points, iterate, state);
@@ -258,8 +271,7 @@ namespace Signorini
           }
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
-          throw StepFailed(
-            failure_message(state, iterate.force_change, indefinite_at_));
+          throw StepFailed(failure_message(state, *unmet));
         iterate = improve(old_state, force, points, iterate, state);
         refuse_collapse(old_state, state);
       }
@@ -311,37 +323,6 @@ namespace Signorini
 
 
   template <int dim>
-  bool
-  TimeStep<dim>::is_solved(const State                          &state,
-                           const std::vector<ContactPoint<dim>> &points,
-                           const Iterate                        &iterate) const
-  {
-    if (state.n_iterations == 0 ||
-        !(state.residual <= settings_.time.residual_tolerance) ||
-        !(state.kkt_residual <= settings_.time.residual_tolerance))
-      return false;
-    if (contact_.is_flat())
-      return true;
-    if (iterate.force_change > settings_.force_tolerance)
-      return false;
-    if (!system_.algorithm().enforces_exactly())
-      return true;
-
-    // What the curvature of a target adds to a linearised gap is of second
-    // order in the last motion.
-    const double tolerance = 1e-6 * iterate.motion +
-                             1e-10 * state.displacement.linfty_norm() +
-                             1e-15 * contact_.extent();
-    for (unsigned int k = 0; k < points.size(); ++k)
-      if (points[k].gap < -tolerance ||
-          (iterate.multipliers.normal[k] > 0. && points[k].gap > tolerance))
-        return false;
-    return true;
-  }
-
-
-
-  template <int dim>
   typename TimeStep<dim>::Iterate
   TimeStep<dim>::improve(const State                          &old_state,
                          const Vector<double>                 &residual,
@@ -350,7 +331,7 @@ namespace Signorini
                          State                                &state)
   {
     const double step_size = state.time - old_state.time;
-    factorise(step_size);
+    factorise(step_size, state);
     try
       {
         auto correction = system_.correct(residual,
@@ -364,14 +345,10 @@ namespace Signorini
             contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
         respond(old_state, step_size, state);
-        // Of a touch without pressure forces are rounding, and never settle.
-        const double negligible =
-          settings_.time.residual_tolerance *
-          force_scale(state, step_size, correction.multipliers);
-        const double change =
-          relative_change(iterate.multipliers,
-                          correction.multipliers,
-                          negligible / settings_.force_tolerance);
+        const double change = relative_force_change(old_state,
+                                                    state,
+                                                    iterate.multipliers,
+                                                    correction.multipliers);
         return {std::move(correction.multipliers),
                 std::move(correction.is_slipping),
                 iterate.coefficients,

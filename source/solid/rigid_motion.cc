@@ -1,8 +1,11 @@
+#include <signorini/solid/connected_parts.h>
 #include <signorini/solid/rigid_motion.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <functional>
+#include <map>
+#include <sstream>
 
 namespace Signorini
 {
@@ -76,17 +79,23 @@ namespace Signorini
       return is_free;
     }
 
-    // Centre and size of a body, so that arms are of order one.
+    // The nodes of one part where they are now, in a frame in which arms are of
+    // order one.
     template <int dim>
-    class Frame
+    struct PlacedPart
     {
-    public:
-      explicit Frame(const Body<dim> &body)
+      PlacedPart(const std::vector<Node<dim>> &part_nodes,
+                 const Vector<double>         &displacement)
+        : nodes(part_nodes)
       {
-        for (const auto &node : body.nodes())
-          centre_ += node.point / double(body.nodes().size());
-        for (const auto &node : body.nodes())
-          scale_ = std::max(scale_, node.point.distance(centre_));
+        for (Node<dim> &node : nodes)
+          {
+            for (unsigned int c = 0; c < dim; ++c)
+              node.point[c] += displacement[node.dofs[c]];
+            centre += node.point / double(nodes.size());
+          }
+        for (const auto &node : nodes)
+          size = std::max(size, node.point.distance(centre));
       }
 
       Tensor<1, 3>
@@ -94,137 +103,145 @@ namespace Signorini
       {
         Tensor<1, 3> result;
         for (unsigned int d = 0; d < dim; ++d)
-          result[d] = (point[d] - centre_[d]) / scale_;
+          result[d] = (point[d] - centre[d]) / size;
         return result;
       }
 
-    private:
-      Point<dim> centre_;
-      double     scale_ = 0.;
+      std::vector<Node<dim>> nodes;
+      Point<dim>             centre;
+      double                 size = 0.; // m
     };
+
+    // gram += v v^T for the values v of all motions along a direction.
+    void
+    add_to_gram(const std::vector<double> &values, FullMatrix<double> &gram)
+    {
+      for (unsigned int i = 0; i < values.size(); ++i)
+        for (unsigned int j = 0; j < values.size(); ++j)
+          gram(i, j) += values[i] * values[j];
+    }
 
     // The Gram matrix of the motions at the fixed unknowns: its kernel is what
     // they do not prevent.
     template <int dim>
     FullMatrix<double>
-    gram_matrix(const Body<dim>                     &body,
+    gram_matrix(const PlacedPart<dim>               &part,
                 const std::vector<bool>             &is_fixed,
                 const std::vector<SlidingNode<dim>> &sliding_nodes,
-                const Frame<dim>                    &frame,
                 const std::vector<RigidMotion>      &motions)
     {
       FullMatrix<double> gram(motions.size());
-      for (const auto &node : body.nodes())
-        for (unsigned int c = 0; c < dim; ++c)
-          if (is_fixed[node.dofs[c]])
-            for (unsigned int i = 0; i < motions.size(); ++i)
-              for (unsigned int j = 0; j < motions.size(); ++j)
-                {
-                  const auto r = frame.arm(node.point);
-                  gram(i, j) += motions[i].value(r, c) * motions[j].value(r, c);
-                }
+      const auto         values_along = [&](const Node<dim>      &node,
+                                    const Tensor<1, dim> &direction) {
+        const auto          arm = part.arm(node.point);
+        std::vector<double> values(motions.size(), 0.);
+        for (unsigned int i = 0; i < motions.size(); ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            values[i] += motions[i].value(arm, c) * direction[c];
+        return values;
+      };
+      std::map<unsigned int, Tensor<1, dim>> normals; // by the first unknown
       for (const auto &[node, normal] : sliding_nodes)
+        normals[node.dofs[0]] = normal;
+      for (const auto &node : part.nodes)
         {
-          const auto     r = frame.arm(node.point);
-          Vector<double> along(motions.size());
-          for (unsigned int i = 0; i < motions.size(); ++i)
-            for (unsigned int c = 0; c < dim; ++c)
-              along[i] += motions[i].value(r, c) * normal[c];
-          for (unsigned int i = 0; i < motions.size(); ++i)
-            for (unsigned int j = 0; j < motions.size(); ++j)
-              gram(i, j) += along[i] * along[j];
+          for (unsigned int c = 0; c < dim; ++c)
+            if (is_fixed[node.dofs[c]])
+              {
+                Tensor<1, dim> direction;
+                direction[c] = 1.;
+                add_to_gram(values_along(node, direction), gram);
+              }
+          const auto sliding = normals.find(node.dofs[0]);
+          if (sliding != normals.end())
+            add_to_gram(values_along(node, sliding->second), gram);
         }
       return gram;
+    }
+
+    template <int dim>
+    void
+    add_free_modes(const PlacedPart<dim>               &part,
+                   const Formulation                    formulation,
+                   const std::vector<bool>             &is_fixed,
+                   const std::vector<SlidingNode<dim>> &sliding_nodes,
+                   const std::string                   &where,
+                   std::vector<RigidMode>              &modes)
+    {
+      const auto               motions = rigid_motions(formulation);
+      const FullMatrix<double> gram =
+        gram_matrix(part, is_fixed, sliding_nodes, motions);
+      LAPACKFullMatrix<double> matrix(motions.size());
+      matrix = gram;
+      FullMatrix<double> vectors;
+      Vector<double>     values;
+      matrix.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
+
+      // A rotation about a fixed point moves the centre, too: translations
+      // count only when they are possible without any rotation.
+      const unsigned int n_translations =
+        formulation == Formulation::axisymmetric ? 1 : dim;
+      const std::vector<bool> translates = free_motions(gram, n_translations);
+
+      for (unsigned int k = 0; k < values.size(); ++k)
+        {
+          RigidMode mode;
+          mode.motion.reinit(is_fixed.size());
+          for (unsigned int i = 0; i < motions.size(); ++i)
+            {
+              if (std::abs(vectors(i, k)) < 1e-6)
+                continue;
+              if (std::abs(vectors(i, k)) > 0.1 &&
+                  (i >= n_translations || translates[i]))
+                mode.name += (mode.name.empty() ? "" : ", ") + motions[i].name;
+              for (const auto &node : part.nodes)
+                for (unsigned int c = 0; c < dim; ++c)
+                  mode.motion[node.dofs[c]] +=
+                    vectors(i, k) * motions[i].value(part.arm(node.point), c);
+            }
+          mode.name += where;
+          modes.push_back(mode);
+        }
     }
   } // namespace
 
 
 
   template <int dim>
-  std::string
-  free_rigid_motion(const Body<dim>                     &body,
-                    const std::vector<bool>             &is_fixed,
-                    const std::vector<SlidingNode<dim>> &sliding_nodes)
-  {
-    const auto               motions = rigid_motions(body.formulation());
-    const FullMatrix<double> gram =
-      gram_matrix(body, is_fixed, sliding_nodes, Frame<dim>(body), motions);
-
-    // A rotation about a fixed point moves the centre, too: translations count
-    // only when they are possible without any rotation.
-    const unsigned int n_translations =
-      body.formulation() == Formulation::axisymmetric ? 1 : dim;
-    const std::vector<bool> translates = free_motions(gram, n_translations);
-    const std::vector<bool> moves      = free_motions(gram, motions.size());
-    std::string             names;
-    for (unsigned int i = 0; i < motions.size(); ++i)
-      if (i < n_translations ? translates[i] : moves[i])
-        names += (names.empty() ? "" : ", ") + motions[i].name;
-    return names;
-  }
-
-
-
-  template <int dim>
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
+                   const Vector<double>                &displacement,
                    const std::vector<bool>             &is_fixed,
                    const std::vector<SlidingNode<dim>> &sliding_nodes)
   {
-    const Frame<dim>         frame(body);
-    const auto               motions = rigid_motions(body.formulation());
-    const FullMatrix<double> gram =
-      gram_matrix(body, is_fixed, sliding_nodes, frame, motions);
-    LAPACKFullMatrix<double> matrix(motions.size());
-    matrix = gram;
-    FullMatrix<double> vectors;
-    Vector<double>     values;
-    matrix.compute_eigenvalues_symmetric(-1., 1e-10, 1e-14, values, vectors);
-
-    // A rotation about a fixed point moves the centre, too: as in
-    // free_rigid_motion().
-    const unsigned int n_translations =
-      body.formulation() == Formulation::axisymmetric ? 1 : dim;
-    const std::vector<bool> translates = free_motions(gram, n_translations);
-
+    const auto             parts = connected_parts(body);
     std::vector<RigidMode> modes;
-    for (unsigned int k = 0; k < values.size(); ++k)
+    for (const auto &nodes : parts)
       {
-        RigidMode mode;
-        mode.motion.reinit(is_fixed.size());
-        for (unsigned int i = 0; i < motions.size(); ++i)
-          {
-            if (std::abs(vectors(i, k)) < 1e-6)
-              continue;
-            if (std::abs(vectors(i, k)) > 0.1 &&
-                (i >= n_translations || translates[i]))
-              mode.name += (mode.name.empty() ? "" : ", ") + motions[i].name;
-            for (const auto &node : body.nodes())
-              for (unsigned int c = 0; c < dim; ++c)
-                mode.motion[node.dofs[c]] +=
-                  vectors(i, k) * motions[i].value(frame.arm(node.point), c);
-          }
-        modes.push_back(mode);
+        const PlacedPart<dim> part(nodes, displacement);
+        std::ostringstream    where;
+        if (parts.size() > 1)
+          where << " of its part around (" << part.centre << ")";
+        add_free_modes(part,
+                       body.formulation(),
+                       is_fixed,
+                       sliding_nodes,
+                       where.str(),
+                       modes);
       }
     return modes;
   }
 
 
 
-  template std::string
-  free_rigid_motion(const Body<2> &,
-                    const std::vector<bool> &,
-                    const std::vector<SlidingNode<2>> &);
-  template std::string
-  free_rigid_motion(const Body<3> &,
-                    const std::vector<bool> &,
-                    const std::vector<SlidingNode<3>> &);
   template std::vector<RigidMode>
   free_rigid_modes(const Body<2> &,
+                   const Vector<double> &,
                    const std::vector<bool> &,
                    const std::vector<SlidingNode<2>> &);
   template std::vector<RigidMode>
   free_rigid_modes(const Body<3> &,
+                   const Vector<double> &,
                    const std::vector<bool> &,
                    const std::vector<SlidingNode<3>> &);
 } // namespace Signorini

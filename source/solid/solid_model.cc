@@ -2,7 +2,6 @@
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/nearest_name.h>
 #include <signorini/solid/assembler.h>
-#include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/solid_model.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -110,11 +109,11 @@ namespace Signorini
 
     stiffness_.reinit(sparsity_);
     add_initial_stiffness([](const Body<dim> &) { return 1.; }, stiffness_);
+    measure_cells();
     if (inertia.present)
       assemble_inertia(inertia);
     else
       refuse_absorbing_boundaries();
-    hold_free_bodies();
   }
 
 
@@ -149,28 +148,25 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  SolidModel<dim>::hold_free_bodies()
+  std::vector<RigidMode>
+  SolidModel<dim>::free_modes(const Vector<double> &displacement) const
   {
-    // Soft against the bodies, so that one or two corrections are enough, but
-    // far above rounding.
-    double mean = 0.;
-    for (unsigned int i = 0; i < first_lumped(); ++i)
-      mean += stiffness_.diag_element(i) / first_lumped();
-    const double   softness = 1e-3 * mean;
-    Vector<double> springs(n_dofs());
+    std::vector<RigidMode> modes;
     for (const auto &part : parts_)
-      if (!free_rigid_motion(*part.body,
-                             is_given_,
-                             part.supports.sliding_nodes())
-             .empty())
-        for (const auto &node : part.body->nodes())
-          for (const unsigned int dof : node.dofs)
-            springs[dof] = softness / part.body->nodes().size();
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      springs[first_lumped() + l] = softness;
-    if (springs.linfty_norm() > 0.)
-      proximal_stiffness_ = springs;
+      for (auto &mode : free_rigid_modes(*part.body,
+                                         displacement,
+                                         is_given_,
+                                         part.supports.sliding_nodes()))
+        modes.push_back(std::move(mode));
+    for (unsigned int i = first_lumped(); i < n_dofs(); ++i)
+      if (!is_fixed_[i])
+        {
+          RigidMode mode;
+          mode.motion.reinit(n_dofs());
+          mode.motion[i] = 1.;
+          modes.push_back(mode);
+        }
+    return modes;
   }
 
 
@@ -196,6 +192,51 @@ namespace Signorini
       pattern.add(i, i);
     redistribution_.extend(pattern);
     sparsity_.copy_from(pattern);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidModel<dim>::measure_cells()
+  {
+    cell_size_.reinit(n_dofs());
+    if (is_linear_)
+      return;
+    for (const auto &part : parts_)
+      {
+        const Body<dim>                     &body = *part.body;
+        std::vector<types::global_dof_index> dofs(body.fe().n_dofs_per_cell());
+        for (const auto &cell : body.dof_handler().active_cell_iterators())
+          {
+            cell->get_dof_indices(dofs);
+            for (const auto dof : dofs)
+              {
+                double &size = cell_size_[body.first_dof() + dof];
+                size         = std::max(size, cell->diameter());
+              }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  SolidModel<dim>::force_rounding(const Vector<double> &displacement) const
+  {
+    Vector<double> rounding(n_dofs());
+    for (unsigned int i = 0; i < n_dofs(); ++i)
+      {
+        double sum = 0.;
+        for (auto entry = stiffness_.begin(i); entry != stiffness_.end(i);
+             ++entry)
+          sum += std::abs(entry->value()) *
+                 (std::abs(displacement[entry->column()]) +
+                  cell_size_[entry->column()]);
+        rounding[i] = std::numeric_limits<double>::epsilon() * sum;
+      }
+    return rounding;
   }
 
 

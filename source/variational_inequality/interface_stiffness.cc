@@ -125,6 +125,25 @@ namespace Signorini
 
 
   void
+  InterfaceStiffness::multiply_absolute(Vector<double> &x) const
+  {
+    AssertDimension(x.size(), n);
+    Vector<double> product(n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const double *const column = lower.data() + std::size_t(j) * n;
+        double              sum    = 0.;
+        for (unsigned int i = j; i < n; ++i)
+          sum += std::abs(column[i] * x(i));
+        for (unsigned int i = j; i < n; ++i)
+          product(i) += std::abs(column[i]) * sum;
+      }
+    x = product;
+  }
+
+
+
+  void
   InterfaceStiffness::solve(Vector<double> &x) const
   {
     solve_factor(x);

@@ -28,6 +28,22 @@ namespace Signorini
       return value == 0. ? 0. : value / scale;
     }
 
+    // What is left of a value when it is only known to this size.
+    double
+    beyond(const double value, const double rounding)
+    {
+      return std::abs(value) <= rounding ?
+               0. :
+               value - std::copysign(rounding, value);
+    }
+
+    // The terms of a balance of n forces are known to this part of their sum.
+    double
+    relative_rounding(const unsigned int n)
+    {
+      return 8. * std::sqrt(n + 1.) * std::numeric_limits<double>::epsilon();
+    }
+
     // 1. Balance of forces, and the scale F.
     void
     measure_stationarity(const InterfaceProblem  &problem,
@@ -36,6 +52,8 @@ namespace Signorini
     {
       Vector<double> stiffness_force = solution.displacement;
       problem.stiffness().multiply(stiffness_force);
+      Vector<double> terms = solution.displacement; // absolute, summed up
+      problem.stiffness().multiply_absolute(terms);
       Vector<double> contact_force(problem.size());
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         {
@@ -48,14 +66,16 @@ namespace Signorini
         }
 
       const Vector<double> &force     = problem.force();
+      const double          share     = relative_rounding(problem.size());
       double                unbalance = 0.;
       for (unsigned int i = 0; i < problem.size(); ++i)
         {
           raise(residual.force_scale, std::abs(force(i)));
           raise(residual.force_scale, std::abs(stiffness_force(i)));
           raise(residual.force_scale, std::abs(contact_force(i)));
-          raise(unbalance,
-                std::abs(stiffness_force(i) - force(i) + contact_force(i)));
+          const double rest = stiffness_force(i) - force(i) + contact_force(i);
+          terms(i) += std::abs(force(i)) + std::abs(contact_force(i));
+          raise(unbalance, std::abs(beyond(rest, share * terms(i))));
         }
       for (const double lambda : solution.forces.normal)
         raise(residual.negative_force, -lambda);
@@ -84,7 +104,7 @@ namespace Signorini
             if (closed)
               raise(residual.length_scale, std::abs(constant));
           };
-          raise(residual.penetration, -gaps[k]);
+          raise(residual.penetration, -beyond(gaps[k], contact.rounding));
           add_row(contact.normal, contact.gap);
           if (contact.has_friction())
             for (unsigned int j = 0; j < contact.tangents.size(); ++j)
@@ -107,12 +127,20 @@ namespace Signorini
           raise(residual.friction_excess, std::hypot(tau[0], tau[1]) - bound);
           if (!contact.has_friction() || contact.is_out_of_reach())
             continue;
+          // Without pressure there is no friction, whatever the slip.
+          if (bound == 0.)
+            {
+              raise(residual.friction,
+                    quotient(std::hypot(tau[0], tau[1]), residual.force_scale));
+              continue;
+            }
           const double          radius = quotient(bound, residual.force_scale);
           std::array<double, 2> force = {{0., 0.}}, moved = {{0., 0.}};
           for (unsigned int j = 0; j < contact.tangents.size(); ++j)
             {
               const double slip =
-                problem.slip_after(k, j, solution.displacement);
+                beyond(problem.slip_after(k, j, solution.displacement),
+                       contact.rounding);
               force[j] = quotient(tau[j], residual.force_scale);
               moved[j] = force[j] + quotient(slip, residual.length_scale);
             }
@@ -163,11 +191,14 @@ namespace Signorini
     // 3. A force across an open gap. A product of the two would pass a small
     // force across a wide gap.
     for (unsigned int k = 0; k < gaps.size(); ++k)
-      if (solution.forces.normal[k] > 0. && gaps[k] > 0.)
-        raise(residual.complementarity,
-              std::min(quotient(solution.forces.normal[k],
-                                residual.force_scale),
-                       quotient(gaps[k], residual.length_scale)));
+      {
+        const double gap = beyond(gaps[k], problem.contact(k).rounding);
+        if (solution.forces.normal[k] > 0. && gap > 0.)
+          raise(residual.complementarity,
+                std::min(quotient(solution.forces.normal[k],
+                                  residual.force_scale),
+                         quotient(gap, residual.length_scale)));
+      }
     measure_friction(problem, solution, residual);
     return residual;
   }

@@ -61,6 +61,13 @@ namespace Signorini
       return extent_;
     }
 
+    /** To what gaps are known, as differences of coordinates, m. */
+    double
+    rounding() const
+    {
+      return 1e-15 * extent_;
+    }
+
     /** True if all targets are flat: then rows never change. */
     bool
     is_flat() const;

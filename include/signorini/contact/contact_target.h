@@ -63,6 +63,20 @@ namespace Signorini
     dealii::FullMatrix<double> curvature;
   };
 
+  /**
+   * A point that comes less deep into a target on its way is not said to pass
+   * it: paths are straight and surfaces are not, and both are known to
+   * rounding only. Unit: m.
+   * @param position of the point
+   * @param way of point and target together within the step, m
+   */
+  template <int dim>
+  double
+  passage_depth(const dealii::Point<dim> &position, const double way)
+  {
+    return 1e-6 * way + 1e-14 * position.norm();
+  }
+
   /** A target in a configuration, ready to be asked for closest points. */
   template <int dim>
   class PlacedTarget
@@ -76,8 +90,8 @@ namespace Signorini
 
     /**
      * Does a point that is outside at both ends of the step pass through the
-     * target in between? Positions are those of the start and the end; the
-     * point and the target move evenly.
+     * target in between, deeper than passage_depth()? Positions are those of
+     * the start and the end; the point and the target move evenly.
      * @param start_gap m, infinite if the target was out of reach
      * @param unknown   of the point itself: what contains it is not passed
      */

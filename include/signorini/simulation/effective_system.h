@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/linear_algebra/condensed_solver.h>
 #include <signorini/output/timings.h>
+#include <signorini/simulation/free_modes.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 #include <signorini/variational_inequality/interface_problem.h>
@@ -54,20 +55,25 @@ namespace Signorini
       std::vector<unsigned int> fallback_contacts;
     };
 
-    /** The models and the timings must outlive the object. */
+    /**
+     * The models and the timings must outlive the object.
+     * @param is_static what moves as a whole has no inertia that holds it back
+     */
     EffectiveSystem(const SolidModel<dim>              &solid,
                     const ContactModel<dim>            &contact,
                     std::unique_ptr<InterfaceAlgorithm> algorithm,
+                    const bool                          is_static,
                     Timings                            &timings);
 
     /**
      * Assembles and factorises K^, unless it is the one at hand.
      *
-     * Of a static body that is not linear, K may be indefinite: only contact
-     * holds it, or it buckles. Springs are then added which resist a
-     * correction and vanish as the iteration converges, at first on the
-     * interface only, whose condensed stiffness is known without them, and if
-     * that is not enough on all unknowns.
+     * Of a static body, K may be singular, since only contact holds it: then
+     * it is factorised with springs at pins, which the interface problem does
+     * not have (FreeModes). It may be indefinite, since it buckles. Springs are
+     * then added which resist a correction and vanish as the iteration
+     * converges, at first on the interface only, whose condensed stiffness is
+     * known without them, and if that is not enough on all unknowns.
      *
      * @param tangent K of the present iterate; null: the constant one of a
      *                linear solid
@@ -76,6 +82,10 @@ namespace Signorini
     void
     factorise(const Factors                      &factors,
               const dealii::SparseMatrix<double> *tangent = nullptr);
+
+    /** What can move as a whole is at this displacement now, m. */
+    void
+    place(const dealii::Vector<double> &displacement);
 
     /**
      * Solves K^ motion = residual + contact forces under the gap constraints.
@@ -123,23 +133,43 @@ namespace Signorini
     }
 
   private:
-    void
-    pose_interface_problem(const std::vector<ContactPoint<dim>> &points,
-                           const InterfaceForces                &multipliers,
-                           const std::vector<double>            &coefficients,
-                           dealii::Vector<double>               &reduced_force);
+    using Spring = FreeModes::Spring;
 
-    // Adds springs to the matrix until it is positive definite, and factorises.
+    void
+    pin_free_modes();
+
+    // Adds springs, on the interface and if need be elsewhere, until the matrix
+    // is positive definite, and factorises.
     void
     factorise_with_springs();
 
-    // Adds springs that hold closed contacts where the interface problem wants
-    // to have them: they change nothing as long as these stay closed.
     void
-    hold_closed_contacts(const InterfaceForces      &multipliers,
-                         const double                spring,
-                         dealii::FullMatrix<double> &stiffness,
-                         dealii::Vector<double>     &force) const;
+    add_spring(const unsigned int trailing, const double spring);
+
+    InterfaceSolution
+    solve_interface_problem(const std::vector<ContactPoint<dim>> &points,
+                            const InterfaceForces                &multipliers,
+                            dealii::Vector<double> &reduced_force);
+
+    // The stiffness of the interface itself: without springs, and with the
+    // curvature of the gaps.
+    dealii::FullMatrix<double>
+    interface_stiffness(const std::vector<ContactPoint<dim>> &points,
+                        const InterfaceForces &multipliers) const;
+
+    // Solves where that stiffness is not positive definite by itself.
+    InterfaceSolution
+    solve_with_springs(const dealii::FullMatrix<double> &stiffness,
+                       const dealii::Vector<double>     &force,
+                       const InterfaceForces            &multipliers);
+
+    // Springs where closed contacts hold the interface, at rest where these
+    // would have it: as long as they stay closed, nothing changes.
+    void
+    hold_closed_contacts(const InterfaceForces            &forces,
+                         const dealii::FullMatrix<double> &stiffness,
+                         std::vector<Spring>              &springs,
+                         std::vector<double>              &rests) const;
 
     const SolidModel<dim>              &solid_;
     const ContactModel<dim>            &contact_;
@@ -151,14 +181,22 @@ namespace Signorini
     bool                                may_be_weak_; // static, not linear
     bool                                is_indefinite_;
     unsigned int                        indefinite_unknown_;
-    double                              interface_spring_; // N/m
     double                              last_softness_; // of springs in K^, 1
     Factors                             factors_;
-    InterfaceStiffness                  stiffness_; // with the springs
-    InterfaceProblem                    problem_;
-    unsigned int                        section_factorisation_;
-    unsigned int                        section_substitution_;
-    unsigned int                        section_interface_;
+
+    // The unknowns of the interface problem: those of contact, then the pins
+    // that are not among them.
+    std::vector<unsigned int> trailing_;
+    std::vector<unsigned int> pins_;            // numbers in trailing_
+    dealii::Vector<double>    trailing_spring_; // at each of them, N/m
+    std::vector<double>       mode_stiffness_;  // of what moves, N/m
+    FreeModes                 free_modes_;
+
+    InterfaceStiffness stiffness_; // with the springs
+    InterfaceProblem   problem_;
+    unsigned int       section_factorisation_;
+    unsigned int       section_substitution_;
+    unsigned int       section_interface_;
   };
 } // namespace Signorini
 

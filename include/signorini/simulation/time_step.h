@@ -9,6 +9,7 @@
 #include <signorini/time/time_parameters.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -80,6 +81,14 @@ namespace Signorini
       return indefinite_at_;
     }
 
+    /** How far loads moved free bodies as a whole before the last step, to
+     * where contacts could hold them, m. */
+    double
+    approach() const
+    {
+      return approach_;
+    }
+
     /** Largest unbalanced force over the largest force, of each iterate of the
      * last step. Newton's method squares them from one to the next. */
     const std::vector<double> &
@@ -106,6 +115,17 @@ namespace Signorini
       double              motion;       // largest of the correction, m
     };
 
+    // Moves free bodies of a static run to where contacts can balance their
+    // loads, free of strain, and returns a guess of the forces of these.
+    InterfaceForces
+    approach_contact(const double time, State &start);
+
+    // The step itself, from forces to begin with.
+    State
+    iterate(const State           &old_state,
+            const double           step_size,
+            const InterfaceForces &first_forces);
+
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 
@@ -123,7 +143,7 @@ namespace Signorini
 
     // @throws StepFailed, or NotPositiveDefinite if the solid is linear.
     void
-    factorise(const double step_size);
+    factorise(const double step_size, const State &state);
 
     // Accelerations and velocities that belong to the displacement of `state`.
     void
@@ -145,24 +165,57 @@ namespace Signorini
     dealii::Vector<double>
     residual(const State &old_state, const State &state) const;
 
-    // Largest unbalanced force over the largest force.
-    double
-    imbalance(const State                          &old_state,
-              const State                          &state,
-              dealii::Vector<double>                residual,
-              const std::vector<ContactPoint<dim>> &points,
-              const InterfaceForces                &multipliers) const;
+    // Sets state.residual: the largest unbalanced force beyond rounding over
+    // the largest force.
+    void
+    measure_balance(const State                          &old_state,
+                    dealii::Vector<double>                residual,
+                    const std::vector<ContactPoint<dim>> &points,
+                    const InterfaceForces                &multipliers,
+                    State                                &state);
 
-    // The largest force, or what counts as one, N.
-    double
-    force_scale(const State           &state,
-                const double           step_size,
-                const InterfaceForces &multipliers) const;
+    // To what the forces of a state are known, N.
+    dealii::Vector<double>
+    force_rounding(const State &old_state, const State &state) const;
 
+    // The largest force, N.
+    double
+    force_scale(const State &state, const InterfaceForces &multipliers) const;
+
+    // Change of the contact forces over the largest of them. What is rounding
+    // beside all forces does not count.
+    double
+    relative_force_change(const State           &old_state,
+                          const State           &state,
+                          const InterfaceForces &old_multipliers,
+                          const InterfaceForces &multipliers) const;
+
+    // Why an iterate is not the end of the step yet.
+    struct UnmetCriterion
+    {
+      std::string found;  // with its value and what is allowed
+      std::string remedy; // what helps against it
+    };
+
+    std::optional<UnmetCriterion>
+    unmet_criterion(const State                          &state,
+                    const std::vector<ContactPoint<dim>> &points,
+                    const Iterate                        &iterate) const;
+
+    // Are forces in balance, or as far as rounding lets them be?
     bool
-    is_solved(const State                          &state,
+    is_balanced(const State &state) const;
+
+    std::optional<UnmetCriterion>
+    unmet_gap(const State                          &state,
               const std::vector<ContactPoint<dim>> &points,
               const Iterate                        &iterate) const;
+
+    UnmetCriterion
+    unmet_balance(const State &state) const;
+
+    std::string
+    failure_message(const State &state, const UnmetCriterion &unmet) const;
 
     // @throws StepFailed if nothing holds back the bodies of a static run.
     void
@@ -196,12 +249,14 @@ namespace Signorini
     GeneralizedAlpha         rigid_scheme_;
     double                   rigid_share_; // 1 over the scale of their rows
     EffectiveSystem<dim>     system_;
-    double                   largest_mass_;      // of a node, kg
-    double                   largest_stiffness_; // of the diagonal, N/m
-    double                   extent_;            // of all bodies, m
+    double                   largest_mass_;   // of a node, kg
+    double                   extent_;         // of all bodies, m
+    bool                     has_free_modes_; // static: contact holds bodies
+    double                   approach_;       // before the last step, m
     std::string              fallbacks_;
     std::string              indefinite_at_;
     std::vector<double>      residuals_;
+    double                   rounding_multiple_; // largest residual, 1
 
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;

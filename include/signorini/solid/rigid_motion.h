@@ -8,29 +8,25 @@
 
 namespace Signorini
 {
-  /**
-   * The rigid motion that the fixed unknowns of a body leave free, in words
-   * ("translation along x", "rotation about z", ...); empty if none. Found as
-   * the kernel of the rigid motions at the fixed unknowns, and along the
-   * normals of sliding nodes.
-   */
-  template <int dim>
-  std::string
-  free_rigid_motion(const Body<dim>                     &body,
-                    const std::vector<bool>             &is_fixed,
-                    const std::vector<SlidingNode<dim>> &sliding_nodes = {});
-
-  /** A motion of a body as a whole. */
+  /** A motion of a connected part of a body as a whole. */
   struct RigidMode
   {
     std::string            name;   // in words
     dealii::Vector<double> motion; // of all unknowns, 1
   };
 
-  /** A basis of the rigid motions that the fixed unknowns leave free. */
+  /**
+   * A basis of the rigid motions of each connected part that the fixed unknowns
+   * leave free: the kernel of its rigid motions at the fixed unknowns, and
+   * along the normals of sliding nodes. Lengths of rotations count in sizes of
+   * the part.
+   *
+   * @param displacement of all unknowns, m: where the parts are
+   */
   template <int dim>
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
+                   const dealii::Vector<double>        &displacement,
                    const std::vector<bool>             &is_fixed,
                    const std::vector<SlidingNode<dim>> &sliding_nodes = {});
 } // namespace Signorini

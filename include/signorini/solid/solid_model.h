@@ -6,6 +6,7 @@
 #include <signorini/solid/loads.h>
 #include <signorini/solid/lumped_unknown.h>
 #include <signorini/solid/mass_redistribution.h>
+#include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/supports.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -164,16 +165,13 @@ namespace Signorini
     }
 
     /**
-     * Springs that hold what a static step leaves free to move as a whole, N/m;
-     * empty if there is nothing. They belong to the effective stiffness only:
-     * their force is that of a correction and vanishes as the iteration
-     * converges (proximal point method), so that contact holds in the end.
+     * A basis of what supports leave free of the motions as a whole: of each
+     * connected part of the bodies, and of each free lumped unknown. Nothing
+     * but contact holds these in a static run.
+     * @param displacement where the bodies are, m
      */
-    const dealii::Vector<double> &
-    proximal_stiffness() const
-    {
-      return proximal_stiffness_;
-    }
+    std::vector<RigidMode>
+    free_modes(const dealii::Vector<double> &displacement) const;
 
     /** "the node (POINT) of body NAME", or "a rigid body". */
     std::string
@@ -196,6 +194,15 @@ namespace Signorini
             const double                  step_size,
             const std::vector<double>    &history_n,
             dealii::SparseMatrix<double> *tangent = nullptr) const;
+
+    /**
+     * To what internal forces are known, N: machine precision times
+     * sum_j |K_ij| (|U_j| + h_j). The first are the terms of K U; with h, the
+     * size of the cells around, they are those of the deformation gradient
+     * 1 + grad U, where it is formed.
+     */
+    dealii::Vector<double>
+    force_rounding(const dealii::Vector<double> &displacement) const;
 
     /** The part of the histories of all bodies that is that of body @p b. */
     dealii::ArrayView<const double>
@@ -239,9 +246,9 @@ namespace Signorini
     void
     assemble_inertia(const Inertia &inertia);
     void
-    refuse_absorbing_boundaries() const;
+    measure_cells();
     void
-    hold_free_bodies();
+    refuse_absorbing_boundaries() const;
 
     // Adds the stiffness of each body without displacement times its factor.
     void
@@ -251,7 +258,6 @@ namespace Signorini
 
     std::vector<Part>                 parts_;
     std::vector<LumpedUnknown>        lumped_;
-    dealii::Vector<double>            proximal_stiffness_;
     dealii::AffineConstraints<double> constraints_;
     std::vector<bool>                 is_hanging_;
     std::vector<bool>                 is_given_;
@@ -259,6 +265,7 @@ namespace Signorini
     MassRedistribution                redistribution_;
     dealii::SparsityPattern           sparsity_;
     dealii::SparseMatrix<double>      stiffness_;
+    dealii::Vector<double>            cell_size_; // around each unknown, m
     dealii::SparseMatrix<double>      mass_;
     dealii::SparseMatrix<double>      damping_;
     bool                              is_linear_;

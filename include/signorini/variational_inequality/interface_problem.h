@@ -34,6 +34,9 @@ namespace Signorini
     double friction_coefficient = 0.;                                      // 1
     double largest_friction     = std::numeric_limits<double>::infinity(); // N
 
+    // To what gap and slip are known at all, as differences of coordinates, m.
+    double rounding = 0.;
+
     bool
     has_friction() const
     {

@@ -55,6 +55,11 @@ namespace Signorini
     void
     multiply(dealii::Vector<double> &x) const;
 
+    /** x <- |L| |L^T| |x|: times the machine precision the size of the rounding
+     * in S x, and in S^-1 times a force (Higham 2002, theorem 10.4). */
+    void
+    multiply_absolute(dealii::Vector<double> &x) const;
+
     /** x <- S^-1 x. */
     void
     solve(dealii::Vector<double> &x) const;

@@ -15,7 +15,8 @@ namespace Signorini
    *  l = max over contacts of |A_k| |S^-1 r| and |A_k| |du|, the same with T_k
    *      where there is friction, and of |G_k| and |s_k| where the contact is
    *      closed or carries a force.
-   * If the scale is zero, so is what it divides.
+   * If the scale is zero, so is what it divides. What is within the rounding of
+   * the terms that were summed up, or of a gap or slip, counts as zero.
    */
   struct KKTResidual
   {
