@@ -5,8 +5,8 @@
 #include <signorini/contact/curve_weights.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/simulation/parameter_file.h>
-#include <signorini/simulation/platform.h>
 #include <signorini/simulation/problem.h>
+#include <signorini/simulation/threads.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
@@ -424,8 +424,8 @@ int
 main(int argc, char **argv)
 {
   const unsigned int n_threads = argc > 1 ? std::stoi(argv[1]) : 1;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, n_threads);
-  limit_blas_threads(n_threads);
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  limit_threads(n_threads);
   std::cout << "Threads: " << n_threads << '\n';
   measure_plastic_assembly();
   measure_friction();
