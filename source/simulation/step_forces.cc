@@ -223,14 +223,13 @@ namespace Signorini
 
   template <int dim>
   double
-  TimeStep<dim>::imbalance(const State                          &old_state,
+  TimeStep<dim>::imbalance(const double                          step_size,
                            const State                          &state,
                            Vector<double>                        residual,
                            const std::vector<ContactPoint<dim>> &points,
                            const InterfaceForces &multipliers) const
   {
-    const auto   timing    = timings_.measure(section_residual_);
-    const double step_size = state.time - old_state.time;
+    const auto timing = timings_.measure(section_residual_);
     contact_.add_contact_forces(points, multipliers, 1., residual);
     double largest = 0.;
     for (unsigned int i = 0; i < residual.size(); ++i)
@@ -283,7 +282,7 @@ namespace Signorini
   template Vector<double>
   TimeStep<2>::residual(const State &, const State &) const;
   template double
-  TimeStep<2>::imbalance(const State &,
+  TimeStep<2>::imbalance(const double,
                          const State &,
                          Vector<double>,
                          const std::vector<ContactPoint<2>> &,
@@ -311,7 +310,7 @@ namespace Signorini
   template Vector<double>
   TimeStep<3>::residual(const State &, const State &) const;
   template double
-  TimeStep<3>::imbalance(const State &,
+  TimeStep<3>::imbalance(const double,
                          const State &,
                          Vector<double>,
                          const std::vector<ContactPoint<3>> &,

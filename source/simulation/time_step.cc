@@ -216,21 +216,21 @@ namespace Signorini
 
   template <int dim>
   State
-  TimeStep<dim>::advance(const State &old_state, const double step_size)
+  TimeStep<dim>::advance(const State &old_state, const Step &step)
   {
     fallbacks_.clear();
     indefinite_at_.clear();
     residuals_.clear();
-    State state = old_state;
-    ++state.step;
-    state.time += step_size;
+    State state        = old_state;
+    state.step         = step.number;
+    state.time         = step.end();
     state.n_iterations = 0;
     state.external_force =
       solid_.external_force(state.time, state.displacement);
     if (!solid_.is_linear())
-      respond(old_state, step_size, state); // for the tangent
+      respond(old_state, step.size, state); // for the tangent
     if (!solid_.supports_are_fixed())
-      move_supports(old_state, step_size, state);
+      move_supports(old_state, step.size, state);
     const std::string held =
       contact_.held_penetration({state.displacement, state.time});
     if (!held.empty())
@@ -244,23 +244,23 @@ namespace Signorini
     scale(iterate.multipliers, multiplier_factor_);
     while (true)
       {
-        update_rates(old_state, step_size, state);
+        update_rates(old_state, step.size, state);
         const auto           points = evaluate_contact(state, old_state);
         const Vector<double> force  = residual(old_state, state);
         state.residual =
-          imbalance(old_state, state, force, points, iterate.multipliers);
+          imbalance(step.size, state, force, points, iterate.multipliers);
         residuals_.push_back(state.residual);
         if (is_solved(state, points, iterate))
           {
             refuse_passage(old_state, iterate, state);
-            finish(old_state, points, iterate, state);
+            finish(old_state, step.size, points, iterate, state);
             return state;
           }
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
           throw StepFailed(
             failure_message(state, iterate.force_change, indefinite_at_));
-        iterate = improve(old_state, force, points, iterate, state);
+        iterate = improve(old_state, step.size, force, points, iterate, state);
         refuse_collapse(old_state, state);
       }
   }
@@ -344,12 +344,12 @@ namespace Signorini
   template <int dim>
   typename TimeStep<dim>::Iterate
   TimeStep<dim>::improve(const State                          &old_state,
+                         const double                          step_size,
                          const Vector<double>                 &residual,
                          const std::vector<ContactPoint<dim>> &points,
                          const Iterate                        &iterate,
                          State                                &state)
   {
-    const double step_size = state.time - old_state.time;
     factorise(step_size);
     try
       {
@@ -405,6 +405,7 @@ namespace Signorini
   template <int dim>
   void
   TimeStep<dim>::finish(const State                          &old_state,
+                        const double                          step_size,
                         const std::vector<ContactPoint<dim>> &points,
                         const Iterate                        &iterate,
                         State                                &state)
@@ -414,7 +415,7 @@ namespace Signorini
     for (unsigned int k = 0; k < points.size(); ++k)
       state.gaps[k] = points[k].gap;
     state.is_slipping = iterate.is_slipping;
-    measure_slip(old_state, points, state);
+    measure_slip(step_size, points, state);
     if (settings_.time.dynamic)
       {
         solid_.mass_redistribution().extrapolate(state.velocity);

@@ -6,6 +6,7 @@
 #include <signorini/simulation/effective_system.h>
 #include <signorini/simulation/state.h>
 #include <signorini/solid/solid_model.h>
+#include <signorini/time/step.h>
 #include <signorini/time/time_parameters.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
@@ -58,11 +59,11 @@ namespace Signorini
                   const dealii::Vector<double> &velocity);
 
     /**
-     * The state one step later. @throws StepFailed; the old state is as good
-     * as before.
+     * The state at the end of the step, which begins where the old state is.
+     * @throws StepFailed; the old state is as good as before.
      */
     State
-    advance(const State &old_state, const double step_size);
+    advance(const State &old_state, const Step &step);
 
     /** Where active sets cycled in the last step and a globally convergent
      * method solved the interface problem: in words, or empty. */
@@ -147,7 +148,7 @@ namespace Signorini
 
     // Largest unbalanced force over the largest force.
     double
-    imbalance(const State                          &old_state,
+    imbalance(const double                          step_size,
               const State                          &state,
               dealii::Vector<double>                residual,
               const std::vector<ContactPoint<dim>> &points,
@@ -176,6 +177,7 @@ namespace Signorini
 
     Iterate
     improve(const State                          &old_state,
+            const double                          step_size,
             const dealii::Vector<double>         &residual,
             const std::vector<ContactPoint<dim>> &points,
             const Iterate                        &iterate,
@@ -183,6 +185,7 @@ namespace Signorini
 
     void
     finish(const State                          &old_state,
+           const double                          step_size,
            const std::vector<ContactPoint<dim>> &points,
            const Iterate                        &iterate,
            State                                &state);
