@@ -25,9 +25,15 @@ if(NOT OPENBLAS_LIBRARY)
     "times slower. On Debian 12: apt-get install libopenblas0-pthread")
 endif()
 
+# CHOLMOD's loops run on its threads, which have to be told how many they are.
+find_library(OPENMP_LIBRARY NAMES gomp libgomp.so.1)
+if(NOT OPENMP_LIBRARY)
+  message(FATAL_ERROR "GNU's OpenMP, which CHOLMOD uses, was not found. On Debian 12: apt-get install libgomp1")
+endif()
+
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options serialization)
 
 add_library(signorini_dependencies INTERFACE)
 target_include_directories(signorini_dependencies SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(signorini_dependencies INTERFACE
-  ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} Boost::program_options Boost::serialization)
+  ${CHOLMOD_LIBRARY} ${OPENBLAS_LIBRARY} ${OPENMP_LIBRARY} Boost::program_options Boost::serialization)

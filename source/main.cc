@@ -4,10 +4,11 @@
 #include <signorini/simulation/parameter_statements.h>
 #include <signorini/simulation/platform.h>
 #include <signorini/simulation/run.h>
+#include <signorini/simulation/threads.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/types.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <algorithm>
 #include <iostream>
@@ -130,10 +131,9 @@ namespace
       }
 
     // Trilinos needs MPI, even for one process.
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(
-      argc,
-      argv,
-      command_line.threads.value_or(dealii::numbers::invalid_unsigned_int));
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    limit_threads(
+      command_line.threads.value_or(dealii::MultithreadInfo::n_cores()));
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
       throw CommandLineError("The program runs in one process and uses "
                              "threads: start it without mpirun.");
@@ -142,8 +142,6 @@ namespace
         print_parameters(std::cout);
         return done;
       }
-    if (command_line.threads)
-      limit_blas_threads(*command_line.threads);
     catch_interruptions();
     return run_all(command_line);
   }

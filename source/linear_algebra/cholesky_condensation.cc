@@ -20,7 +20,9 @@ namespace Signorini
   CholeskyCondensation::factorise(const SparseMatrix<double> &matrix)
   {
     cholesky_.factorise(matrix);
-    trailing_ = interface_stiffness();
+    trailing_ =
+      InterfaceStiffness::from_cholesky_factor(n_interface_,
+                                               cholesky_.trailing_factor());
   }
 
 
@@ -28,8 +30,7 @@ namespace Signorini
   InterfaceStiffness
   CholeskyCondensation::interface_stiffness() const
   {
-    return InterfaceStiffness::from_cholesky_factor(
-      n_interface_, cholesky_.trailing_factor());
+    return trailing_;
   }
 
 

@@ -9,9 +9,6 @@ extern "C"
 {
   char *
   openblas_get_config();
-
-  void
-  openblas_set_num_threads(int n_threads);
 }
 
 namespace Signorini
@@ -29,13 +26,5 @@ namespace Signorini
          << "deal.II " << DEAL_II_PACKAGE_VERSION << "\n"
          << "BLAS: " << openblas_get_config() << "\n";
     return text.str();
-  }
-
-
-
-  void
-  limit_blas_threads(const unsigned int n_threads)
-  {
-    openblas_set_num_threads(static_cast<int>(n_threads));
   }
 } // namespace Signorini

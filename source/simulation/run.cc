@@ -8,11 +8,11 @@
 #include <signorini/simulation/mesh_adaptation.h>
 #include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/parameter_file.h>
-#include <signorini/simulation/platform.h>
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/run.h>
 #include <signorini/simulation/shell_word.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/simulation/threads.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 
@@ -89,15 +89,6 @@ namespace Signorini
         {
           throw InputError(with_place(file, error.what()));
         }
-    }
-
-    // The blocks of a small factor are so small that threads only wait for each
-    // other: measured, the beam of 1 458 unknowns was factorised 20 times
-    // slower with two threads than with one.
-    unsigned int
-    n_useful_blas_threads(const unsigned int n_dofs)
-    {
-      return n_dofs < 20000 ? 1 : MultithreadInfo::n_threads();
     }
 
     void
@@ -181,7 +172,7 @@ namespace Signorini
           Problem<dim> problem = created_from(file, [&] {
             return Problem<dim>::create(outline, file.directory(), passes, prm);
           });
-          limit_blas_threads(n_useful_blas_threads(problem.solid->n_dofs()));
+          choose_blas_threads(problem.solid->n_dofs());
           return problem;
         };
       const std::string base = output_base(options, prm);

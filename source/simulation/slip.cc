@@ -43,11 +43,10 @@ namespace Signorini
 
   template <int dim>
   void
-  measure_slip(const State                          &old_state,
+  measure_slip(const double                          step_size,
                const std::vector<ContactPoint<dim>> &points,
                State                                &state)
   {
-    const double step_size = state.time - old_state.time;
     for (unsigned int k = 0; k < points.size(); ++k)
       {
         std::array<double, 2> slip = {{0., 0.}};
@@ -72,7 +71,7 @@ namespace Signorini
   template void
   find_initial_slip(const std::vector<ContactPoint<3>> &, State &);
   template void
-  measure_slip(const State &, const std::vector<ContactPoint<2>> &, State &);
+  measure_slip(const double, const std::vector<ContactPoint<2>> &, State &);
   template void
-  measure_slip(const State &, const std::vector<ContactPoint<3>> &, State &);
+  measure_slip(const double, const std::vector<ContactPoint<3>> &, State &);
 } // namespace Signorini

@@ -68,7 +68,7 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::measure_balance(const State   &old_state,
+  TimeStep<dim>::measure_balance(const double   step_size,
                                  Vector<double> residual,
                                  const std::vector<ContactPoint<dim>> &points,
                                  const InterfaceForces &multipliers,
@@ -85,7 +85,7 @@ namespace Signorini
     if (state.n_iterations > 0 &&
         largest > settings_.time.residual_tolerance * scale)
       {
-        const Vector<double> rounding = force_rounding(old_state, state);
+        const Vector<double> rounding = force_rounding(step_size, state);
         largest                       = 0.;
         for (unsigned int i = 0; i < residual.size(); ++i)
           if (!solid_.is_fixed()[i] && residual[i] != 0.)
@@ -104,7 +104,7 @@ namespace Signorini
 
   template <int dim>
   Vector<double>
-  TimeStep<dim>::force_rounding(const State &old_state,
+  TimeStep<dim>::force_rounding(const double step_size,
                                 const State &state) const
   {
     Vector<double> rounding = solid_.force_rounding(state.displacement);
@@ -112,7 +112,7 @@ namespace Signorini
       return rounding;
     // Accelerations are differences of displacements, over the square of time.
     const double factor = std::numeric_limits<double>::epsilon() *
-                          effective_factors(state.time - old_state.time).mass;
+                          effective_factors(step_size).mass;
     add_absolute_product(solid_.mass(), state.displacement, factor, rounding);
     return rounding;
   }
@@ -134,7 +134,7 @@ namespace Signorini
 
   template <int dim>
   double
-  TimeStep<dim>::relative_force_change(const State           &old_state,
+  TimeStep<dim>::relative_force_change(const double           step_size,
                                        const State           &state,
                                        const InterfaceForces &old_multipliers,
                                        const InterfaceForces &multipliers) const
@@ -150,7 +150,7 @@ namespace Signorini
     const double negligible =
       std::max(settings_.time.residual_tolerance *
                  force_scale(state, multipliers),
-               floor_multiple * force_rounding(old_state, state).linfty_norm());
+               floor_multiple * force_rounding(step_size, state).linfty_norm());
     return change / std::max(largest, negligible / settings_.force_tolerance);
   }
 
@@ -277,17 +277,17 @@ namespace Signorini
 
 
   template void
-  TimeStep<2>::measure_balance(const State &,
+  TimeStep<2>::measure_balance(const double,
                                Vector<double>,
                                const std::vector<ContactPoint<2>> &,
                                const InterfaceForces &,
                                State &);
   template Vector<double>
-  TimeStep<2>::force_rounding(const State &, const State &) const;
+  TimeStep<2>::force_rounding(const double, const State &) const;
   template double
   TimeStep<2>::force_scale(const State &, const InterfaceForces &) const;
   template double
-  TimeStep<2>::relative_force_change(const State &,
+  TimeStep<2>::relative_force_change(const double,
                                      const State &,
                                      const InterfaceForces &,
                                      const InterfaceForces &) const;
@@ -306,17 +306,17 @@ namespace Signorini
   template std::string
   TimeStep<2>::failure_message(const State &, const UnmetCriterion &) const;
   template void
-  TimeStep<3>::measure_balance(const State &,
+  TimeStep<3>::measure_balance(const double,
                                Vector<double>,
                                const std::vector<ContactPoint<3>> &,
                                const InterfaceForces &,
                                State &);
   template Vector<double>
-  TimeStep<3>::force_rounding(const State &, const State &) const;
+  TimeStep<3>::force_rounding(const double, const State &) const;
   template double
   TimeStep<3>::force_scale(const State &, const InterfaceForces &) const;
   template double
-  TimeStep<3>::relative_force_change(const State &,
+  TimeStep<3>::relative_force_change(const double,
                                      const State &,
                                      const InterfaceForces &,
                                      const InterfaceForces &) const;

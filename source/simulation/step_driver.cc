@@ -75,11 +75,12 @@ namespace Signorini
       next_step_size(control, record.step_memory, record.state.time, target);
     while (true)
       {
+        const Step  step{record.state.step + 1, record.state.time, trial.size};
         State       state;
         std::string failure;
         try
           {
-            state = time_step_.advance(record.state, trial.size);
+            state = time_step_.advance(record.state, step);
           }
         catch (const StepFailed &reason)
           {
@@ -91,9 +92,10 @@ namespace Signorini
           }
         trial.converged    = failure.empty();
         trial.n_iterations = state.n_iterations;
-        trial.error        = trial.converged ?
-                               error(record.state, state, record.largest_kinetic) :
-                               0.;
+        trial.error =
+          trial.converged ?
+            error(record.state, state, step.size, record.largest_kinetic) :
+            0.;
         if (problem_.output.logs_residuals)
           log_residuals(record.state, trial, log);
         const StepVerdict verdict =
@@ -133,7 +135,10 @@ namespace Signorini
       state.velocity[i] = state.acceleration[i] = 0.;
     try
       {
-        state = step.advance(state, problem_.time.step_control.initial_size);
+        state = step.advance(state,
+                             {state.step + 1,
+                              state.time,
+                              problem_.time.step_control.initial_size});
       }
     catch (const StepFailed &failure)
       {
@@ -211,6 +216,7 @@ namespace Signorini
   double
   StepDriver<dim>::error(const State &old_state,
                          const State &state,
+                         const double step_size,
                          const double largest) const
   {
     const double tolerance = problem_.time.step_control.error_tolerance;
@@ -220,7 +226,7 @@ namespace Signorini
     change -= old_state.acceleration;
     const SparseMatrix<double> &mass = problem_.solid->mass();
     return relative_step_error(problem_.time.scheme,
-                               state.time - old_state.time,
+                               step_size,
                                std::sqrt(mass.matrix_norm_square(change)),
                                std::sqrt(2. * std::max(largest,
                                                        state.energy.kinetic))) /

@@ -182,17 +182,17 @@ namespace Signorini
 
   template <int dim>
   State
-  TimeStep<dim>::advance(const State &old_state, const double step_size)
+  TimeStep<dim>::advance(const State &old_state, const Step &step)
   {
     fallbacks_.clear();
     indefinite_at_.clear();
     residuals_.clear();
     approach_ = 0.;
     if (!has_free_modes_)
-      return iterate(old_state, step_size, old_state.contact_forces);
+      return iterate(old_state, step, old_state.contact_forces);
     State      start  = old_state;
-    const auto forces = approach_contact(old_state.time + step_size, start);
-    return iterate(start, step_size, forces);
+    const auto forces = approach_contact(step.end(), start);
+    return iterate(start, step, forces);
   }
 
 
@@ -232,19 +232,19 @@ namespace Signorini
   template <int dim>
   State
   TimeStep<dim>::iterate(const State           &old_state,
-                         const double           step_size,
+                         const Step            &step,
                          const InterfaceForces &first_forces)
   {
-    State state = old_state;
-    ++state.step;
-    state.time += step_size;
+    State state        = old_state;
+    state.step         = step.number;
+    state.time         = step.end();
     state.n_iterations = 0;
     state.external_force =
       solid_.external_force(state.time, state.displacement);
     if (!solid_.is_linear())
-      respond(old_state, step_size, state); // for the tangent
+      respond(old_state, step.size, state); // for the tangent
     if (!solid_.supports_are_fixed())
-      move_supports(old_state, step_size, state);
+      move_supports(old_state, step.size, state);
     const std::string held =
       contact_.held_penetration({state.displacement, state.time});
     if (!held.empty())
@@ -258,21 +258,21 @@ namespace Signorini
     scale(iterate.multipliers, multiplier_factor_);
     while (true)
       {
-        update_rates(old_state, step_size, state);
+        update_rates(old_state, step.size, state);
         const auto           points = evaluate_contact(state, old_state);
         const Vector<double> force  = residual(old_state, state);
-        measure_balance(old_state, force, points, iterate.multipliers, state);
+        measure_balance(step.size, force, points, iterate.multipliers, state);
         const auto unmet = unmet_criterion(state, points, iterate);
         if (!unmet)
           {
             refuse_passage(old_state, iterate, state);
-            finish(old_state, points, iterate, state);
+            finish(old_state, step.size, points, iterate, state);
             return state;
           }
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
           throw StepFailed(failure_message(state, *unmet));
-        iterate = improve(old_state, force, points, iterate, state);
+        iterate = improve(old_state, step.size, force, points, iterate, state);
         refuse_collapse(old_state, state);
       }
   }
@@ -325,12 +325,12 @@ namespace Signorini
   template <int dim>
   typename TimeStep<dim>::Iterate
   TimeStep<dim>::improve(const State                          &old_state,
+                         const double                          step_size,
                          const Vector<double>                 &residual,
                          const std::vector<ContactPoint<dim>> &points,
                          const Iterate                        &iterate,
                          State                                &state)
   {
-    const double step_size = state.time - old_state.time;
     factorise(step_size, state);
     try
       {
@@ -382,6 +382,7 @@ namespace Signorini
   template <int dim>
   void
   TimeStep<dim>::finish(const State                          &old_state,
+                        const double                          step_size,
                         const std::vector<ContactPoint<dim>> &points,
                         const Iterate                        &iterate,
                         State                                &state)
@@ -391,7 +392,7 @@ namespace Signorini
     for (unsigned int k = 0; k < points.size(); ++k)
       state.gaps[k] = points[k].gap;
     state.is_slipping = iterate.is_slipping;
-    measure_slip(old_state, points, state);
+    measure_slip(step_size, points, state);
     if (settings_.time.dynamic)
       {
         solid_.mass_redistribution().extrapolate(state.velocity);

@@ -94,6 +94,22 @@ namespace Signorini
              double        *b,
              const Integer *ldb);
 
+      // C <- alpha op(A) op(B) + beta C.
+      void
+      dgemm_(const char    *transa,
+             const char    *transb,
+             const Integer *m,
+             const Integer *n,
+             const Integer *k,
+             const double  *alpha,
+             const double  *a,
+             const Integer *lda,
+             const double  *b,
+             const Integer *ldb,
+             const double  *beta,
+             double        *c,
+             const Integer *ldc);
+
       // A = L L^T.
       void
       dpotrf_(const char    *uplo,

@@ -101,8 +101,7 @@ namespace Signorini
       for (unsigned int i = 0; i < n; ++i)
         if (lower[i + std::size_t(i) * n] <= 0.)
           reader.fail("a positive diagonal of the factor");
-      problem.set_stiffness(
-        InterfaceStiffness::from_cholesky_factor(n, std::move(lower)));
+      problem.set_stiffness(InterfaceStiffness::from_cholesky_factor(n, lower));
     }
 
     SparseRow

@@ -1,6 +1,8 @@
 #include <signorini/input_error.h>
 #include <signorini/variational_inequality/interface_stiffness.h>
 
+#include <algorithm>
+
 #include "blas.h"
 
 namespace Signorini
@@ -26,14 +28,18 @@ namespace Signorini
 
     const Blas::Integer one = 1;
 
+    // The products of S are formed in blocks of so many columns: wide enough
+    // for the speed of a full product, and narrow against n.
+    constexpr Blas::Integer block_size = 128;
+
     // x <- L x. From the last column on, so that x_j is read before it changes.
     void
-    multiply_by_columns(const std::vector<double> &lower, Vector<double> &x)
+    multiply_by_columns(const double *lower, Vector<double> &x)
     {
       const Blas::Integer n = x.size();
       for (Blas::Integer j = n - 1; j >= 0; --j)
         {
-          const double *const column = lower.data() + j + std::size_t(j) * n;
+          const double *const column = lower + j + std::size_t(j) * n;
           const Blas::Integer below  = n - j - 1;
           const double        factor = x(j);
           x(j) *= *column;
@@ -45,18 +51,14 @@ namespace Signorini
 
     // x <- L^T x.
     void
-    multiply_transposed_by_columns(const std::vector<double> &lower,
-                                   Vector<double>            &x)
+    multiply_transposed_by_columns(const double *lower, Vector<double> &x)
     {
       const Blas::Integer n = x.size();
       for (Blas::Integer i = 0; i < n; ++i)
         {
           const Blas::Integer length = n - i;
-          x(i)                       = Blas::ddot_(&length,
-                             lower.data() + i + std::size_t(i) * n,
-                             &one,
-                             x.begin() + i,
-                             &one);
+          x(i)                       = Blas::ddot_(
+            &length, lower + i + std::size_t(i) * n, &one, x.begin() + i, &one);
         }
     }
 
@@ -64,53 +66,133 @@ namespace Signorini
 
     // Both BLAS kernels on a vector differ by their name only.
     void
-    run_kernel(TriangularKernel          *kernel,
-               const char                 transposition,
-               const std::vector<double> &lower,
-               Vector<double>            &x)
+    run_kernel(TriangularKernel *kernel,
+               const char        transposition,
+               const double     *lower,
+               Vector<double>   &x)
     {
       const Blas::Integer n = x.size();
-      AssertDimension(lower.size(), x.size() * x.size());
       if (n > 0)
-        kernel("L", &transposition, "N", &n, lower.data(), &n, x.data(), &one);
+        kernel("L", &transposition, "N", &n, lower, &n, x.data(), &one);
+    }
+
+    // The lower triangle of S = L L^T, by columns. Block column J is
+    //   S_IJ = sum_(K < J) L_IK L_JK^T + L_IJ L_JJ^T for I >= J,
+    // where only the last term has a triangle in it.
+    void
+    multiply_by_transpose(const Blas::Integer n,
+                          const double       *lower,
+                          double             *product)
+    {
+      const double unit = 1.;
+      for (Blas::Integer j = 0; j < n; j += block_size)
+        {
+          const Blas::Integer width    = std::min(block_size, n - j);
+          const Blas::Integer height   = n - j;
+          const std::size_t   diagonal = j + std::size_t(j) * n;
+          for (Blas::Integer column = 0; column < width; ++column)
+            {
+              const std::size_t start = diagonal + std::size_t(column) * n;
+              std::fill_n(product + start, column, 0.);
+              std::copy_n(lower + start + column,
+                          height - column,
+                          product + start + column);
+            }
+          Blas::dtrmm_("R",
+                       "L",
+                       "T",
+                       "N",
+                       &height,
+                       &width,
+                       &unit,
+                       lower + diagonal,
+                       &n,
+                       product + diagonal,
+                       &n);
+          if (j > 0)
+            Blas::dgemm_("N",
+                         "T",
+                         &height,
+                         &width,
+                         &j,
+                         &unit,
+                         lower + j,
+                         &n,
+                         lower + j,
+                         &n,
+                         &unit,
+                         product + diagonal,
+                         &n);
+        }
+    }
+
+    // Makes both triangles alike, tile by tile so that the rows of the one and
+    // the columns of the other stay in the cache.
+    void
+    copy_upper_to_lower(FullMatrix<double> &matrix)
+    {
+      const unsigned int n = matrix.m(), tile = 32;
+      for (unsigned int i0 = 0; i0 < n; i0 += tile)
+        for (unsigned int j0 = 0; j0 <= i0; j0 += tile)
+          for (unsigned int i = i0; i < std::min(n, i0 + tile); ++i)
+            for (unsigned int j = j0; j < std::min(i, j0 + tile); ++j)
+              matrix(i, j) = matrix(j, i);
     }
   } // namespace
 
 
 
-  InterfaceStiffness
-  InterfaceStiffness::from_cholesky_factor(const unsigned int    size,
-                                           std::vector<double> &&lower_factor)
+  InterfaceStiffness::InterfaceStiffness()
+    : InterfaceStiffness(FullMatrix<double>())
+  {}
+
+
+
+  InterfaceStiffness::InterfaceStiffness(FullMatrix<double> &&transposed_factor)
+    : parts(std::make_shared<Parts>())
   {
-    AssertDimension(lower_factor.size(), std::size_t(size) * size);
-    for (unsigned int i = 0; i < size; ++i)
-      if (!(lower_factor[i + std::size_t(i) * size] > 0.))
-        not_positive_definite(i);
-    InterfaceStiffness stiffness;
-    stiffness.n     = size;
-    stiffness.lower = std::move(lower_factor);
-    return stiffness;
+    parts->transposed_factor.swap(transposed_factor);
   }
 
 
 
   InterfaceStiffness
-  InterfaceStiffness::from_matrix(const FullMatrix<double> &matrix)
+  InterfaceStiffness::from_cholesky_factor(
+    const unsigned int         size,
+    const std::vector<double> &lower_factor)
+  {
+    AssertDimension(lower_factor.size(), std::size_t(size) * size);
+    for (unsigned int i = 0; i < size; ++i)
+      if (!(lower_factor[i + std::size_t(i) * size] > 0.))
+        not_positive_definite(i);
+    if (size == 0)
+      return InterfaceStiffness();
+    return InterfaceStiffness(
+      FullMatrix<double>(size, size, lower_factor.data()));
+  }
+
+
+
+  InterfaceStiffness
+  InterfaceStiffness::from_matrix(FullMatrix<double> matrix)
   {
     AssertDimension(matrix.m(), matrix.n());
-    const Blas::Integer n = matrix.m();
-    InterfaceStiffness  stiffness;
-    stiffness.n = n;
-    stiffness.lower.resize(std::size_t(n) * n);
-    for (Blas::Integer i = 0; i < n; ++i)
-      for (Blas::Integer j = 0; j <= i; ++j)
-        stiffness.lower[i + std::size_t(j) * n] = matrix(i, j);
-    Blas::Integer info = 0;
+    // Symmetric, it is the same by rows and by columns.
+    const Blas::Integer n    = matrix.m();
+    Blas::Integer       info = 0;
     if (n > 0)
-      Blas::dpotrf_("L", &n, stiffness.lower.data(), &n, &info);
+      Blas::dpotrf_("L", &n, &matrix(0, 0), &n, &info);
     if (info > 0)
       not_positive_definite(info - 1);
-    return stiffness;
+    return InterfaceStiffness(std::move(matrix));
+  }
+
+
+
+  const double *
+  InterfaceStiffness::lower() const
+  {
+    return size() == 0 ? nullptr : &parts->transposed_factor(0, 0);
   }
 
 
@@ -127,11 +209,12 @@ namespace Signorini
   void
   InterfaceStiffness::multiply_absolute(Vector<double> &x) const
   {
-    AssertDimension(x.size(), n);
-    Vector<double> product(n);
+    AssertDimension(x.size(), size());
+    const unsigned int n = size();
+    Vector<double>     product(n);
     for (unsigned int j = 0; j < n; ++j)
       {
-        const double *const column = lower.data() + std::size_t(j) * n;
+        const double *const column = lower() + std::size_t(j) * n;
         double              sum    = 0.;
         for (unsigned int i = j; i < n; ++i)
           sum += std::abs(column[i] * x(i));
@@ -156,10 +239,10 @@ namespace Signorini
   InterfaceStiffness::solve_columns(std::vector<double> &columns,
                                     const unsigned int   n_columns) const
   {
-    AssertDimension(columns.size(), std::size_t(n) * n_columns);
+    AssertDimension(columns.size(), std::size_t(size()) * n_columns);
     if (columns.empty())
       return;
-    const Blas::Integer rows = n, count = n_columns;
+    const Blas::Integer rows = size(), count = n_columns;
     const double        unit = 1.;
     for (const char *const transposition : {"N", "T"})
       Blas::dtrsm_("L",
@@ -169,7 +252,7 @@ namespace Signorini
                    &rows,
                    &count,
                    &unit,
-                   lower.data(),
+                   lower(),
                    &rows,
                    columns.data(),
                    &rows);
@@ -180,11 +263,11 @@ namespace Signorini
   void
   InterfaceStiffness::multiply_factor(Vector<double> &x) const
   {
-    AssertDimension(x.size(), n);
-    if (n <= largest_by_columns)
-      multiply_by_columns(lower, x);
+    AssertDimension(x.size(), size());
+    if (size() <= largest_by_columns)
+      multiply_by_columns(lower(), x);
     else
-      run_kernel(Blas::dtrmv_, 'N', lower, x);
+      run_kernel(Blas::dtrmv_, 'N', lower(), x);
   }
 
 
@@ -192,11 +275,11 @@ namespace Signorini
   void
   InterfaceStiffness::multiply_transposed_factor(Vector<double> &x) const
   {
-    AssertDimension(x.size(), n);
-    if (n <= largest_by_columns)
-      multiply_transposed_by_columns(lower, x);
+    AssertDimension(x.size(), size());
+    if (size() <= largest_by_columns)
+      multiply_transposed_by_columns(lower(), x);
     else
-      run_kernel(Blas::dtrmv_, 'T', lower, x);
+      run_kernel(Blas::dtrmv_, 'T', lower(), x);
   }
 
 
@@ -204,7 +287,7 @@ namespace Signorini
   void
   InterfaceStiffness::solve_factor(Vector<double> &x) const
   {
-    run_kernel(Blas::dtrsv_, 'N', lower, x);
+    run_kernel(Blas::dtrsv_, 'N', lower(), x);
   }
 
 
@@ -212,7 +295,7 @@ namespace Signorini
   void
   InterfaceStiffness::solve_transposed_factor(Vector<double> &x) const
   {
-    run_kernel(Blas::dtrsv_, 'T', lower, x);
+    run_kernel(Blas::dtrsv_, 'T', lower(), x);
   }
 
 
@@ -220,6 +303,7 @@ namespace Signorini
   double
   InterfaceStiffness::smallest_pivot() const
   {
+    const unsigned int  n = size();
     std::vector<double> diagonal(n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = j; i < n; ++i)
@@ -232,34 +316,16 @@ namespace Signorini
 
 
 
-  FullMatrix<double>
+  const FullMatrix<double> &
   InterfaceStiffness::matrix() const
   {
-    // 1. L with zeros above the diagonal, which then becomes L L^T.
-    std::vector<double> product(lower.size());
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = j; i < n; ++i)
-        product[i + std::size_t(j) * n] = factor(i, j);
-    const Blas::Integer size = n;
-    const double        unit = 1.;
-    if (n > 0)
-      Blas::dtrmm_("R",
-                   "L",
-                   "T",
-                   "N",
-                   &size,
-                   &size,
-                   &unit,
-                   lower.data(),
-                   &size,
-                   product.data(),
-                   &size);
-
-    // 2. Exactly symmetric, from the lower triangle.
-    FullMatrix<double> matrix(n, n);
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = j; i < n; ++i)
-        matrix(i, j) = matrix(j, i) = product[i + std::size_t(j) * n];
+    FullMatrix<double> &matrix = parts->matrix;
+    if (matrix.m() != size())
+      {
+        matrix.reinit(size(), size());
+        multiply_by_transpose(size(), lower(), &matrix(0, 0));
+        copy_upper_to_lower(matrix);
+      }
     return matrix;
   }
 } // namespace Signorini

@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(matrix_is_factorised)
   std::mt19937             generator(3);
   const FullMatrix<double> S =
     InterfaceReference::random_stiffness(60, generator);
-  const InterfaceStiffness stiffness  = InterfaceStiffness::from_matrix(S);
-  FullMatrix<double>       difference = stiffness.matrix();
+  const InterfaceStiffness stiffness = InterfaceStiffness::from_matrix(S);
+  FullMatrix<double>       difference(stiffness.matrix());
   difference.add(-1., S);
   BOOST_TEST(difference.frobenius_norm() <= 1e-14 * S.frobenius_norm());
 
@@ -99,6 +99,41 @@ BOOST_AUTO_TEST_CASE(matrix_is_factorised)
 
 
 
+// S is formed in blocks, and factorised in its own place.
+BOOST_AUTO_TEST_CASE(matrices_of_every_size)
+{
+  std::mt19937 generator(4);
+  for (const unsigned int n : {1U, 31U, 128U, 129U, 300U})
+    {
+      std::uniform_int_distribution<int> number(1, 9);
+      std::vector<double>                lower(n * n, 1e9);
+      FullMatrix<double>                 expected(n, n);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = j; i < n; ++i)
+          lower[i + j * n] = number(generator);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k <= std::min(i, j); ++k)
+            expected(i, j) += lower[i + k * n] * lower[j + k * n];
+      const auto stiffness = InterfaceStiffness::from_cholesky_factor(n, lower);
+      BOOST_TEST((stiffness.matrix() == expected)); // integers: exact
+
+      // Copies share what they hold.
+      const InterfaceStiffness copy = stiffness;
+      BOOST_TEST(&copy.matrix() == &stiffness.matrix());
+
+      for (unsigned int i = 0; i < n; ++i)
+        expected(i, i) += 100. * n * n;
+      const auto         definite = InterfaceStiffness::from_matrix(expected);
+      FullMatrix<double> difference(definite.matrix());
+      difference.add(-1., expected);
+      BOOST_TEST(difference.frobenius_norm() <=
+                 1e-14 * expected.frobenius_norm());
+    }
+}
+
+
+
 BOOST_AUTO_TEST_CASE(products_of_every_size)
 {
   // Against the sums written out; small and large sizes use other kernels.
@@ -109,7 +144,7 @@ BOOST_AUTO_TEST_CASE(products_of_every_size)
         lower[i] = 1. + (i * 7) % 11;
       const std::vector<double> copy = lower;
       const InterfaceStiffness  stiffness =
-        InterfaceStiffness::from_cholesky_factor(n, std::move(lower));
+        InterfaceStiffness::from_cholesky_factor(n, lower);
       Vector<double> x(n), product(n), transposed(n);
       for (unsigned int i = 0; i < n; ++i)
         x(i) = i % 9 - 3.;

@@ -182,6 +182,7 @@ namespace Signorini
     bool                                is_indefinite_;
     unsigned int                        indefinite_unknown_;
     double                              last_softness_; // of springs in K^, 1
+    double                              weakest_pivot_; // allowed, static; or 0
     Factors                             factors_;
 
     // The unknowns of the interface problem: those of contact, then the pins

@@ -8,13 +8,6 @@ namespace Signorini
   /** Program, build type, deal.II and BLAS in use, one per line. */
   std::string
   versions();
-
-  /**
-   * Let the dense algebra of OpenBLAS use at most so many threads; those of
-   * deal.II are limited by MPI_InitFinalize.
-   */
-  void
-  limit_blas_threads(const unsigned int n_threads);
 } // namespace Signorini
 
 #endif

@@ -18,10 +18,11 @@ namespace Signorini
   void
   find_initial_slip(const std::vector<ContactPoint<dim>> &points, State &state);
 
-  /** Adds the slip of a step to the state, with its rate. */
+  /** Adds the slip of a step of this size, in s, to the state, with its rate.
+   */
   template <int dim>
   void
-  measure_slip(const State                          &old_state,
+  measure_slip(const double                          step_size,
                const std::vector<ContactPoint<dim>> &points,
                State                                &state);
 } // namespace Signorini

@@ -75,6 +75,7 @@ namespace Signorini
     double
     error(const State &old_state,
           const State &state,
+          const double step_size,
           const double largest) const;
 
     void

@@ -6,6 +6,7 @@
 #include <signorini/simulation/effective_system.h>
 #include <signorini/simulation/state.h>
 #include <signorini/solid/solid_model.h>
+#include <signorini/time/step.h>
 #include <signorini/time/time_parameters.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
@@ -59,11 +60,11 @@ namespace Signorini
                   const dealii::Vector<double> &velocity);
 
     /**
-     * The state one step later. @throws StepFailed; the old state is as good
-     * as before.
+     * The state at the end of the step, which begins where the old state is.
+     * @throws StepFailed; the old state is as good as before.
      */
     State
-    advance(const State &old_state, const double step_size);
+    advance(const State &old_state, const Step &step);
 
     /** Where active sets cycled in the last step and a globally convergent
      * method solved the interface problem: in words, or empty. */
@@ -123,7 +124,7 @@ namespace Signorini
     // The step itself, from forces to begin with.
     State
     iterate(const State           &old_state,
-            const double           step_size,
+            const Step            &step,
             const InterfaceForces &first_forces);
 
     typename EffectiveSystem<dim>::Factors
@@ -168,7 +169,7 @@ namespace Signorini
     // Sets state.residual: the largest unbalanced force beyond rounding over
     // the largest force.
     void
-    measure_balance(const State                          &old_state,
+    measure_balance(const double                          step_size,
                     dealii::Vector<double>                residual,
                     const std::vector<ContactPoint<dim>> &points,
                     const InterfaceForces                &multipliers,
@@ -176,7 +177,7 @@ namespace Signorini
 
     // To what the forces of a state are known, N.
     dealii::Vector<double>
-    force_rounding(const State &old_state, const State &state) const;
+    force_rounding(const double step_size, const State &state) const;
 
     // The largest force, N.
     double
@@ -185,7 +186,7 @@ namespace Signorini
     // Change of the contact forces over the largest of them. What is rounding
     // beside all forces does not count.
     double
-    relative_force_change(const State           &old_state,
+    relative_force_change(const double           step_size,
                           const State           &state,
                           const InterfaceForces &old_multipliers,
                           const InterfaceForces &multipliers) const;
@@ -229,6 +230,7 @@ namespace Signorini
 
     Iterate
     improve(const State                          &old_state,
+            const double                          step_size,
             const dealii::Vector<double>         &residual,
             const std::vector<ContactPoint<dim>> &points,
             const Iterate                        &iterate,
@@ -236,6 +238,7 @@ namespace Signorini
 
     void
     finish(const State                          &old_state,
+           const double                          step_size,
            const std::vector<ContactPoint<dim>> &points,
            const Iterate                        &iterate,
            State                                &state);

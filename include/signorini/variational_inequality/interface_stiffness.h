@@ -4,6 +4,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <memory>
 #include <vector>
 
 namespace Signorini
@@ -11,21 +12,14 @@ namespace Signorini
   /**
    * The stiffness of the condensed interface, S = L L^T: symmetric, positive
    * definite, dense, n x n, in N/m. Only the lower triangle of L is kept, by
-   * columns. Can be moved, not copied, so that no step pays for n^2 numbers
-   * by accident.
+   * columns. It never changes, so that copies share it, and no step pays for
+   * n^2 numbers by accident.
    */
   class InterfaceStiffness
   {
   public:
     /** The empty stiffness, n = 0. */
-    InterfaceStiffness() = default;
-
-    InterfaceStiffness(InterfaceStiffness &&) = default;
-    InterfaceStiffness &
-    operator=(InterfaceStiffness &&)               = default;
-    InterfaceStiffness(const InterfaceStiffness &) = delete;
-    InterfaceStiffness &
-    operator=(const InterfaceStiffness &) = delete;
+    InterfaceStiffness();
 
     /**
      * From the factor L itself, e.g. the trailing block of a sparse
@@ -35,20 +29,21 @@ namespace Signorini
      * @throws ComputationError if a diagonal entry of L is not positive.
      */
     static InterfaceStiffness
-    from_cholesky_factor(const unsigned int    size,
-                         std::vector<double> &&lower_factor);
+    from_cholesky_factor(const unsigned int         size,
+                         const std::vector<double> &lower_factor);
 
     /**
-     * Factorises @p matrix, of which the lower triangle is read.
+     * Factorises a symmetric matrix in its own place: move it here, and no
+     * second one is made.
      * @throws ComputationError if it is not positive definite.
      */
     static InterfaceStiffness
-    from_matrix(const dealii::FullMatrix<double> &matrix);
+    from_matrix(dealii::FullMatrix<double> matrix);
 
     unsigned int
     size() const
     {
-      return n;
+      return parts->transposed_factor.m();
     }
 
     /** x <- S x. */
@@ -90,8 +85,8 @@ namespace Signorini
     double
     factor(const unsigned int i, const unsigned int j) const
     {
-      Assert(j <= i && i < n, dealii::ExcIndexRange(j, 0, i + 1));
-      return lower[i + std::size_t(j) * n];
+      Assert(j <= i && i < size(), dealii::ExcIndexRange(j, 0, i + 1));
+      return parts->transposed_factor(j, i);
     }
 
     /** The smallest of L_ii^2/S_ii: what the rows before leave of a diagonal
@@ -99,13 +94,29 @@ namespace Signorini
     double
     smallest_pivot() const;
 
-    /** S itself, O(n^3): to add to it, or to look at it. */
-    dealii::FullMatrix<double>
+    /**
+     * S itself: n^3/3 multiplications when it is first asked for, of this
+     * object or of one that it shares L with; then it is kept. Not safe to
+     * share between threads.
+     */
+    const dealii::FullMatrix<double> &
     matrix() const;
 
   private:
-    unsigned int        n = 0;
-    std::vector<double> lower;
+    // By rows L^T, which is L by columns; and S, empty until it is asked for.
+    struct Parts
+    {
+      dealii::FullMatrix<double> transposed_factor;
+      dealii::FullMatrix<double> matrix;
+    };
+
+    explicit InterfaceStiffness(dealii::FullMatrix<double> &&transposed_factor);
+
+    // L(0, 0), by columns.
+    const double *
+    lower() const;
+
+    std::shared_ptr<Parts> parts;
   };
 } // namespace Signorini
 
