@@ -345,7 +345,7 @@ namespace Signorini
             contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
         respond(old_state, step_size, state);
-        const double change = relative_force_change(old_state,
+        const double change = relative_force_change(step_size,
                                                     state,
                                                     iterate.multipliers,
                                                     correction.multipliers);
