@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/simulation/adaptive_run.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/mesh_adaptation.h>
@@ -73,7 +74,7 @@ namespace Signorini
         const auto  timing = timings.measure("mesh refinement");
         goes_on            = adaptation.improve(problem, state);
         log.line(adaptation.last_in_words());
-        adaptation.write(folder + "/meshes.csv");
+        adaptation.write(result_file(folder + "/meshes.csv"));
         if (goes_on)
           problem = create(adaptation.passes());
       }

@@ -1,4 +1,5 @@
 #include <signorini/named_list.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/output/surface_table.h>
 #include <signorini/simulation/result_fields.h>
 
@@ -346,7 +347,7 @@ namespace Signorini
   {
     for (const auto &pair : problem_.contact->pairs())
       write_surface_table(surface_data(pair),
-                          folder + "/" + pair.name + ".csv");
+                          result_file(folder + "/" + pair.name + ".csv"));
   }
 
 

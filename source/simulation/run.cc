@@ -198,22 +198,24 @@ namespace Signorini
         }
       if (task.checkpoint)
         refuse_other_problem(problem, *task.checkpoint);
-      else
-        task.folder = create_run_folder(base,
-                                        file.path(),
-                                        options.overwrite,
-                                        prm.get("Submodel of"));
-      const std::string &folder = task.folder;
-      task.resume_command       = resume_command(options, file.path(), folder);
+      const RunFolder    run_folder = task.checkpoint ?
+                                        RunFolder::open(task.folder) :
+                                        RunFolder::create(base,
+                                                       file.path(),
+                                                       options.overwrite,
+                                                       prm.get("Submodel of"));
+      const std::string &folder     = run_folder.path();
+      task.folder                   = folder;
+      task.resume_command = resume_command(options, file.path(), folder);
 
       Log::Settings log_settings = Log::default_settings();
       log_settings.append        = options.resume.has_value();
-      Log log(folder + "/run.log", log_settings);
+      Log log(result_file(folder + "/run.log"), log_settings);
       for (const std::string &warning : warnings)
         log.line(warning + " An older one is taken.");
       log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
       log.line("results in " + folder);
-      write_parameters(prm, folder + "/parameters.prm");
+      write_parameters(prm, result_file(folder + "/parameters.prm"));
       try
         {
           if (problem.adaptivity.maximal_meshes > 1 && !task.checkpoint)
