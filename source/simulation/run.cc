@@ -218,11 +218,12 @@ namespace Signorini
       write_parameters(prm, result_file(folder + "/parameters.prm"));
       try
         {
-          if (problem.adaptivity.maximal_meshes > 1 && !task.checkpoint)
+          if (problem.adaptivity.maximal_meshes > 1 &&
+              (!task.checkpoint || !task.checkpoint->meshes.empty()))
             {
               simulation.reset();
-              task.passes = adapt_meshes(create, folder, problem, timings, log);
-              simulation  = std::make_unique<Simulation<dim>>(problem, timings);
+              adapt_meshes(create, task, problem, timings, log);
+              simulation = std::make_unique<Simulation<dim>>(problem, timings);
             }
           log.line(description(problem));
           task.geometry = geometry_checksum(problem);
