@@ -4,6 +4,7 @@
 #
 #   steps       stopped twice by --steps
 #   signal      stopped by SIGTERM, resumed by the command line it prints
+#   meshes      the same, while meshes are being found
 #   kill        killed at random moments until it is done
 #   full_disk   stopped by a disk without room
 #   damaged     the last checkpoint is cut short: the one before is taken
@@ -47,9 +48,35 @@ expect_readable() {
   done
 }
 
-# Everything but the log and its seconds.
+# Everything but the log with its seconds, and the list of the files with those that went.
 expect_equal() {
-  diff -r -q -x run.log -x '*.checkpoint' "$whole" "$stopped" >"$output" || fail "the results differ."
+  diff -r -q -x run.log -x '*.checkpoint' -x .signorini-files "$whole" "$stopped" >"$output" || fail "the results differ."
+}
+
+# Ends the run when this file of its results is there.
+stop_by_signal() {
+  local pid code=0
+  # Once more if the run was over before the signal came.
+  for _ in {1..10}; do
+    rm -rf "$scratch/stopped"
+    "$program" "$prm" --threads 1 --output-directory "$scratch/stopped" >"$output" 2>&1 &
+    pid=$!
+    while [ ! -e "$stopped/$1" ] && kill -0 $pid 2>/dev/null; do sleep 0.01; done
+    kill -TERM $pid 2>/dev/null
+    wait $pid
+    code=$?
+    [ $code = 0 ] || break
+  done
+  expect_exit $code 130
+}
+
+# As the program says that the run can go on.
+go_on() {
+  local command
+  command=$(sed -n 's/^Stopped as asked\..* To go on: //p' "$output")
+  [ -n "$command" ] || fail "no command to go on."
+  bash -c "$command" >"$output" 2>&1
+  expect_exit $? 0
 }
 
 # Milliseconds.
@@ -79,24 +106,17 @@ case $scenario in
     expect_exit $? 0
     ;;
   signal)
-    # Once more if the run was over before the signal came.
-    code=0
-    for _ in {1..10}; do
-      rm -rf "$scratch/stopped"
-      "$program" "$prm" --threads 1 --output-directory "$scratch/stopped" >"$output" 2>&1 &
-      pid=$!
-      while [ ! -e "$stopped/last.checkpoint" ] && kill -0 $pid 2>/dev/null; do sleep 0.01; done
-      kill -TERM $pid 2>/dev/null
-      wait $pid
-      code=$?
-      [ $code = 0 ] || break
-    done
-    expect_exit $code 130
+    stop_by_signal last.checkpoint
     expect_readable
-    command=$(sed -n 's/^Stopped as asked\..* To go on: //p' "$output")
-    [ -n "$command" ] || fail "no command to go on."
-    bash -c "$command" >"$output" 2>&1
-    expect_exit $? 0
+    go_on
+    expect_equal
+    ;;
+  meshes)
+    stop_by_signal meshes.csv
+    expect_output "The meshes found so far are kept."
+    n_meshes=$(grep -c "mesh [0-9]*:" "$stopped/run.log")
+    go_on
+    expect_output "resumed at mesh $((n_meshes + 1))"
     expect_equal
     ;;
   kill)

@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/output/checkpoint.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/output/whole_file.h>
 #include <signorini/version.h>
 
@@ -152,6 +153,8 @@ namespace Signorini
     const std::string new_file = (path / new_name).string();
     try
       {
+        for (const char *const name : {new_name, last_name, previous_name})
+          result_file((path / name).string());
         write_to_disk(new_file, file_content(checkpoint));
         if (fs::exists(path / last_name))
           fs::rename(path / last_name, path / previous_name);

@@ -33,10 +33,20 @@ namespace Signorini
   {
     Assert(n_rows() == 0,
            dealii::ExcMessage("Columns have to be added before the rows."));
-    Assert(!has_column(name),
-           dealii::ExcMessage("There is a column " + name + " already."));
-    Assert((name + unit).find_first_of(",[]\"\n") == std::string::npos,
-           dealii::ExcMessage("Not a name of a column: " + name));
+    // No two pairs or bodies have one name; monitors have whichever they got.
+    if (has_column(name))
+      throw InputError(
+        "Output / Monitor: two columns of the history would have "
+        "the name \"" +
+        name +
+        "\". Give one of the monitors, or the body, another "
+        "name.");
+    if ((name + unit).find_first_of(",[]\"\n") != std::string::npos)
+      throw InputError("Output: a column of the history would have the name '" +
+                       name +
+                       "', with one of the characters , [ ] or \", which part "
+                       "columns and units. Give the monitor, or the boundary, "
+                       "another name.");
     column_list.push_back({name, unit});
     return column_list.size() - 1;
   }

@@ -1,6 +1,7 @@
 #include <signorini/input_error.h>
 #include <signorini/output/history_writer.h>
 #include <signorini/output/pvd_file.h>
+#include <signorini/output/run_folder.h>
 
 #include <algorithm>
 #include <cctype>
@@ -48,6 +49,16 @@ namespace Signorini
           }
       return result;
     }
+
+    void
+    write(const std::string &file_name, const std::string &content)
+    {
+      std::ofstream file(file_name, std::ios::binary);
+      file.write(content.data(), content.size());
+      file.close();
+      if (!file)
+        fail(file_name, std::strerror(errno));
+    }
   } // namespace
 
 
@@ -55,11 +66,7 @@ namespace Signorini
   void
   write_result_file(const std::string &file_name, const std::string &content)
   {
-    std::ofstream file(file_name, std::ios::binary);
-    file.write(content.data(), content.size());
-    file.close();
-    if (!file)
-      fail(file_name, std::strerror(errno));
+    write(result_file(file_name), content);
   }
 
 
@@ -67,8 +74,8 @@ namespace Signorini
   void
   replace_result_file(const std::string &file_name, const std::string &content)
   {
-    const std::string new_file = file_name + ".new";
-    write_result_file(new_file, content);
+    const std::string new_file = result_file(file_name) + being_written;
+    write(new_file, content);
     std::error_code error;
     std::filesystem::rename(new_file, file_name, error);
     if (error)

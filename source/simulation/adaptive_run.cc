@@ -1,9 +1,17 @@
 #include <signorini/input_error.h>
+#include <signorini/output/checkpoint.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/simulation/adaptive_run.h>
+#include <signorini/simulation/input_record.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/mesh_adaptation.h>
 #include <signorini/simulation/step_driver.h>
 #include <signorini/time/step_plan.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <sstream>
 
 namespace Signorini
 {
@@ -13,7 +21,7 @@ namespace Signorini
     template <int dim>
     State
     solve(const Problem<dim> &problem,
-          const std::string  &folder,
+          const RunTask      &task,
           Timings            &timings,
           Log                &log)
     {
@@ -27,15 +35,15 @@ namespace Signorini
       while (!plan.is_end(record.state.time))
         {
           driver.advance(plan.target(record.state.time, record.n_regular),
-                         folder,
+                         task.folder,
                          record,
                          log);
           if (plan.completes_regular_step(record.state.time, record.n_regular))
             ++record.n_regular;
           if (is_interrupted())
-            throw Interrupted("Stopped as asked, while the mesh was being "
-                              "refined. The meshes up to now are in \"" +
-                              folder + "/meshes.csv\".");
+            throw Interrupted(
+              "Stopped as asked. The meshes found so far are kept. To go on: " +
+              task.resume_command);
         }
       return record.state;
     }
@@ -51,14 +59,46 @@ namespace Signorini
         result.step_control.initial_size = adaptivity.step_size;
       return result;
     }
+
+    template <int dim>
+    void
+    save(const RunTask             &task,
+         const Problem<dim>        &problem,
+         const MeshAdaptation<dim> &adaptation)
+    {
+      std::ostringstream              stream;
+      boost::archive::binary_oarchive archive(stream);
+      archive << adaptation;
+      write_checkpoint(task.folder,
+                       {0.,
+                        0,
+                        task.input,
+                        geometry_checksum(problem),
+                        adaptation.passes(),
+                        "",
+                        stream.str()});
+    }
+
+    template <int dim>
+    void
+    restore(const Checkpoint    &checkpoint,
+            MeshAdaptation<dim> &adaptation,
+            Log                 &log)
+    {
+      std::istringstream              stream(checkpoint.meshes);
+      boost::archive::binary_iarchive archive(stream);
+      archive >> adaptation;
+      log.line("resumed at mesh " +
+               std::to_string(adaptation.records().size() + 1));
+    }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<RefinementPasses>
+  void
   adapt_meshes(const ProblemCreator<dim> &create,
-               const std::string         &folder,
+               RunTask                   &task,
                Problem<dim>              &problem,
                Timings                   &timings,
                Log                       &log)
@@ -66,33 +106,37 @@ namespace Signorini
     const TimeParameters time  = problem.time;
     const auto           trial = trial_time(time, problem.adaptivity);
     MeshAdaptation<dim>  adaptation(problem);
+    if (task.checkpoint)
+      restore(*task.checkpoint, adaptation, log);
     for (bool goes_on = true; goes_on;)
       {
+        save(task, problem, adaptation);
         problem.time       = trial;
-        const State state  = solve(problem, folder, timings, log);
+        const State state  = solve(problem, task, timings, log);
         const auto  timing = timings.measure("mesh refinement");
         goes_on            = adaptation.improve(problem, state);
         log.line(adaptation.last_in_words());
-        adaptation.write(folder + "/meshes.csv");
+        adaptation.write(result_file(task.folder + "/meshes.csv"));
         if (goes_on)
           problem = create(adaptation.passes());
       }
     log.line("adaptive refinement ends: " + adaptation.verdict());
     problem.time = time;
-    return adaptation.passes();
+    task.passes  = adaptation.passes();
+    task.checkpoint.reset();
   }
 
 
 
-  template std::vector<RefinementPasses>
+  template void
   adapt_meshes(const ProblemCreator<2> &,
-               const std::string &,
+               RunTask &,
                Problem<2> &,
                Timings &,
                Log &);
-  template std::vector<RefinementPasses>
+  template void
   adapt_meshes(const ProblemCreator<3> &,
-               const std::string &,
+               RunTask &,
                Problem<3> &,
                Timings &,
                Log &);

@@ -9,6 +9,18 @@ namespace Signorini
 {
   namespace
   {
+    // Files of the results are called after bodies and the targets of pairs;
+    // these names are those of other files.
+    const std::set<std::string> names_of_files = {"contact",
+                                                  "displacements",
+                                                  "history",
+                                                  "last",
+                                                  "meshes",
+                                                  "parameters",
+                                                  "previous",
+                                                  "results",
+                                                  "run"};
+
     // One list of names at the top of the file, of which `used` knows those
     // that came before.
     void
@@ -26,6 +38,10 @@ namespace Signorini
                              "\" has one of the characters . | : / or a "
                              "blank, which part names in other entries. Use "
                              "letters, digits, - and _.");
+          if (names_of_files.count(name) > 0)
+            throw InputError(place + "the name \"" + name +
+                             "\" is that of a file of the results. Give the "
+                             "body another one.");
           if (!used.insert(name).second)
             throw InputError(place + "two bodies have the name \"" + name +
                              "\". Give each, rigid or not, a name of its "

@@ -1,4 +1,5 @@
 #include <signorini/named_list.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/output/surface_table.h>
 #include <signorini/simulation/result_fields.h>
 
@@ -80,6 +81,7 @@ namespace Signorini
   ResultFields<dim>::show(const State &state)
   {
     state_ = &state;
+    contact_points_.clear();
   }
 
 
@@ -224,11 +226,22 @@ namespace Signorini
 
 
   template <int dim>
+  const std::vector<ContactPoint<dim>> &
+  ResultFields<dim>::contact_points() const
+  {
+    if (contact_points_.empty())
+      contact_points_ =
+        problem_.contact->evaluate({state_->displacement, state_->time});
+    return contact_points_;
+  }
+
+
+
+  template <int dim>
   SurfaceData<dim>
   ResultFields<dim>::surface_data(const ContactPair<dim> &pair) const
   {
-    const auto points =
-      problem_.contact->evaluate({state_->displacement, state_->time});
+    const auto                 &points = contact_points();
     SurfaceData<dim>            data;
     std::vector<double>         gap, pressure, shear, slip, status;
     std::vector<Tensor<1, dim>> traction, normal, displacement;
@@ -346,7 +359,7 @@ namespace Signorini
   {
     for (const auto &pair : problem_.contact->pairs())
       write_surface_table(surface_data(pair),
-                          folder + "/" + pair.name + ".csv");
+                          result_file(folder + "/" + pair.name + ".csv"));
   }
 
 

@@ -198,29 +198,32 @@ namespace Signorini
         }
       if (task.checkpoint)
         refuse_other_problem(problem, *task.checkpoint);
-      else
-        task.folder = create_run_folder(base,
-                                        file.path(),
-                                        options.overwrite,
-                                        prm.get("Submodel of"));
-      const std::string &folder = task.folder;
-      task.resume_command       = resume_command(options, file.path(), folder);
+      const RunFolder    run_folder = task.checkpoint ?
+                                        RunFolder::open(task.folder) :
+                                        RunFolder::create(base,
+                                                       file.path(),
+                                                       options.overwrite,
+                                                       prm.get("Submodel of"));
+      const std::string &folder     = run_folder.path();
+      task.folder                   = folder;
+      task.resume_command = resume_command(options, file.path(), folder);
 
       Log::Settings log_settings = Log::default_settings();
       log_settings.append        = options.resume.has_value();
-      Log log(folder + "/run.log", log_settings);
+      Log log(result_file(folder + "/run.log"), log_settings);
       for (const std::string &warning : warnings)
         log.line(warning + " An older one is taken.");
       log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
       log.line("results in " + folder);
-      write_parameters(prm, folder + "/parameters.prm");
+      write_parameters(prm, result_file(folder + "/parameters.prm"));
       try
         {
-          if (problem.adaptivity.maximal_meshes > 1 && !task.checkpoint)
+          if (problem.adaptivity.maximal_meshes > 1 &&
+              (!task.checkpoint || !task.checkpoint->meshes.empty()))
             {
               simulation.reset();
-              task.passes = adapt_meshes(create, folder, problem, timings, log);
-              simulation  = std::make_unique<Simulation<dim>>(problem, timings);
+              adapt_meshes(create, task, problem, timings, log);
+              simulation = std::make_unique<Simulation<dim>>(problem, timings);
             }
           log.line(description(problem));
           task.geometry = geometry_checksum(problem);

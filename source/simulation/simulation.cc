@@ -1,6 +1,7 @@
 #include <signorini/input_error.h>
 #include <signorini/named_errors.h>
 #include <signorini/output/progress.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/simulation.h>
@@ -124,7 +125,7 @@ namespace Signorini
   Simulation<dim>::begin(const RunTask &task, Files &files)
   {
     files.history =
-      std::make_unique<HistoryWriter>(task.folder + "/history.csv",
+      std::make_unique<HistoryWriter>(result_file(task.folder + "/history.csv"),
                                       record_.history);
     record_.state           = driver_.initial_state();
     record_.largest_kinetic = record_.state.energy.kinetic;
@@ -155,7 +156,7 @@ namespace Signorini
       plan_.n_regular_at(record_.state.time, record_.n_regular);
     start_time_ = record_.state.time;
     files.history =
-      std::make_unique<HistoryWriter>(task.folder + "/history.csv",
+      std::make_unique<HistoryWriter>(result_file(task.folder + "/history.csv"),
                                       record_.history);
     files.fields.collection().cut_back();
     files.surfaces.collection().cut_back();

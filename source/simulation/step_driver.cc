@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/output/run_folder.h>
 #include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/step_driver.h>
 #include <signorini/time/step_error.h>
@@ -344,7 +345,7 @@ namespace Signorini
   {
     if (time_step_.interface_problem().size() == 0)
       return;
-    std::ofstream file(path);
+    std::ofstream file(result_file(path));
     write_interface_problem(time_step_.interface_problem(), file);
     log.line("interface problem in " + path);
   }

@@ -227,6 +227,54 @@ namespace
 
 
 
+  // A target that is curved may cost more than a plane where it is touched,
+  // not where it is not. Steps of one size: nothing is factorised again.
+  void
+  measure_curved_target()
+  {
+    const Problem<2> disc  = read("tests/performance/strip_on_disc.prm");
+    const Problem<2> plane = read("tests/performance/strip_on_plane.prm");
+    std::cout << "Strip, " << disc.solid->n_dofs() << " unknowns, "
+              << disc.contact->interface_dofs().size()
+              << " of them on the interface\n";
+    double times[2][2] = {};
+    for (const bool is_curved : {false, true})
+      {
+        const Problem<2> &problem = is_curved ? disc : plane;
+        Timings           timings;
+        TimeStep<2>       time_step(*problem.solid,
+                              *problem.contact,
+                              settings(problem),
+                              timings);
+        for (const bool touches : {false, true})
+          {
+            // Upwards, or downwards onto the target.
+            Vector<double> velocity(problem.initial_velocity);
+            if (!touches)
+              velocity *= -1.;
+            const State start =
+              time_step.initial_state(problem.initial_displacement, velocity);
+            const auto step = [&](const State &state) {
+              return time_step.advance(
+                state, {state.step + 1, state.time, problem.time.step_size});
+            };
+            const State  second = step(start); // factorises
+            unsigned int n      = 1;
+            times[is_curved][touches] =
+              least_seconds(3, [&] { n = step(second).n_iterations; }) / n;
+          }
+      }
+    print("iteration on a plane, apart", 1e3 * times[0][0], "ms");
+    print("iteration on a plane, in touch", 1e3 * times[0][1], "ms");
+    print("on a disc / on a plane, apart (asked: < 1.2)",
+          times[1][0] / times[0][0],
+          "");
+    print("on a disc / on a plane, in touch", times[1][1] / times[0][1], "");
+    std::cout << '\n';
+  }
+
+
+
   // Forces, histories and tangent of a body with large strains.
   void
   measure_plastic_assembly()
@@ -434,5 +482,6 @@ main(int argc, char **argv)
   measure_friction();
   measure_linear_steps();
   measure_large_block();
+  measure_curved_target();
   measure_search();
 }

@@ -23,6 +23,7 @@ namespace
     result.input    = {{"Title", "a \"title\""}, {"Time / End time", "1"}};
     result.geometry = 4000000000u;
     result.run      = std::string("bytes\0of any\nkind\xff", 18);
+    result.meshes   = "more";
     return result;
   }
 
@@ -64,6 +65,7 @@ BOOST_AUTO_TEST_CASE(round_trip)
   BOOST_TEST(copy.step == original.step);
   BOOST_TEST(copy.geometry == original.geometry);
   BOOST_TEST((copy.run == original.run));
+  BOOST_TEST(copy.meshes == original.meshes);
   BOOST_TEST(copy.input.size() == 2u);
   BOOST_TEST(copy.input[0].value == original.input[0].value);
   BOOST_TEST(copy.input[1].path == original.input[1].path);

@@ -3,13 +3,45 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <functional>
+
 #include "temporary_folder.h"
 
-using Signorini::create_run_folder;
 using Signorini::find_run_folder;
 using Signorini::InputError;
+using Signorini::result_file;
+using Signorini::RunFolder;
 
 BOOST_AUTO_TEST_SUITE(run_folder)
+
+namespace
+{
+  std::string
+  create_run_folder(const std::string &base,
+                    const std::string &parameter_file,
+                    const bool         overwrite = false,
+                    const std::string &needed    = "")
+  {
+    return RunFolder::create(base, parameter_file, overwrite, needed).path();
+  }
+
+  // As a run writes.
+  void
+  write_result(const std::string &name, const std::string &text)
+  {
+    write_file(result_file(name), text);
+  }
+
+  auto
+  has_text(const std::string &expected)
+  {
+    return [expected](const InputError &error) {
+      BOOST_TEST_MESSAGE(error.what());
+      return std::string(error.what()).find(expected) != std::string::npos;
+    };
+  }
+} // namespace
+
 
 BOOST_AUTO_TEST_CASE(name_of_the_parameter_file)
 {
@@ -37,25 +69,68 @@ BOOST_AUTO_TEST_CASE(earlier_runs_stay)
   BOOST_TEST(read_file(folder.file("beam-2/history.csv")) == "beam-2");
 }
 
-BOOST_AUTO_TEST_CASE(overwriting_removes_only_results)
+// Not what has the ending of a result, nor what lies elsewhere.
+BOOST_AUTO_TEST_CASE(overwriting_removes_only_what_runs_wrote)
 {
   const TemporaryFolder folder;
   const std::string     run = folder.file("beam");
   std::filesystem::create_directories(run + "/kept");
-  write_file(run + "/kept/history.csv", "");
-  for (const std::string ending :
-       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint", "displacement"})
-    write_file(run + "/result." + ending, "old");
-  write_file(run + "/notes.odt", "");
-  write_file(run + "/csv", "");
+  write_file(run + "/kept/history.csv", "mine");
+  write_file(run + "/measured.csv", "mine");
+  write_file(run + "/beam.prm", "mine");
+  write_file(folder.file("elsewhere.csv"), "mine");
+  for (const std::string name :
+       {"history.csv", "beam_00000.vtu", "results.pvd"})
+    write_result(run + "/" + name, "old");
+  write_file(run + "/results.pvd.new", "half of it");
+  write_file(run + "/.signorini-files",
+             read_file(run + "/.signorini-files") +
+               "../elsewhere.csv\nkept/history.csv\nkept\n");
 
   BOOST_TEST(create_run_folder(folder.path.string(), "beam.prm", true) == run);
-  for (const std::string ending :
-       {"vtu", "pvd", "csv", "log", "prm", "txt", "checkpoint", "displacement"})
-    BOOST_TEST(!std::filesystem::exists(run + "/result." + ending));
-  BOOST_TEST(std::filesystem::exists(run + "/kept/history.csv"));
-  BOOST_TEST(std::filesystem::exists(run + "/notes.odt"));
-  BOOST_TEST(std::filesystem::exists(run + "/csv"));
+  for (const std::string name :
+       {"history.csv", "beam_00000.vtu", "results.pvd", "results.pvd.new"})
+    BOOST_TEST(!std::filesystem::exists(run + "/" + name));
+  for (const std::string name :
+       {"kept/history.csv", "measured.csv", "beam.prm", "../elsewhere.csv"})
+    BOOST_TEST(read_file(run + "/" + name) == "mine");
+}
+
+BOOST_AUTO_TEST_CASE(files_of_others_are_not_written_to)
+{
+  const TemporaryFolder folder;
+  write_file(folder.file("history.csv"), "mine");
+  BOOST_CHECK_EXCEPTION(result_file(folder.file("history.csv")),
+                        InputError,
+                        has_text("'history.csv' in it would be overwritten"));
+  // One's own may be written to again.
+  write_result(folder.file("run.log"), "a");
+  write_result(folder.file("run.log"), "b");
+  BOOST_TEST(read_file(folder.file("run.log")) == "b");
+}
+
+BOOST_AUTO_TEST_CASE(one_run_at_a_time)
+{
+  const TemporaryFolder folder;
+  const std::string     base = folder.path.string();
+  {
+    // Nothing is written yet; the lock alone tells.
+    const RunFolder first = RunFolder::create(base, "beam.prm");
+    BOOST_TEST(first.path() == folder.file("beam"));
+    BOOST_TEST(create_run_folder(base, "beam.prm") == folder.file("beam-2"));
+    write_result(first.path() + "/history.csv", "new");
+    for (const auto &use :
+         {std::function<void()>(
+            [&] { create_run_folder(base, "beam.prm", true); }),
+          std::function<void()>([&] { RunFolder::open(first.path()); })})
+      BOOST_CHECK_EXCEPTION(use(),
+                            InputError,
+                            has_text("another run is writing to it"));
+    BOOST_TEST(read_file(first.path() + "/history.csv") == "new");
+  }
+  BOOST_TEST(RunFolder::open(folder.file("beam")).path() ==
+             folder.file("beam"));
+  BOOST_TEST(create_run_folder(base, "beam.prm", true) == folder.file("beam"));
 }
 
 BOOST_AUTO_TEST_CASE(the_parameter_file_itself_is_never_removed)
@@ -63,7 +138,7 @@ BOOST_AUTO_TEST_CASE(the_parameter_file_itself_is_never_removed)
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("beam"));
   const std::string prm = folder.file("beam/beam.prm");
-  write_file(prm, "set Title = beam");
+  write_result(prm, "set Title = beam");
   BOOST_CHECK_THROW(create_run_folder(folder.path.string(), prm, true),
                     InputError);
   BOOST_TEST(read_file(prm) == "set Title = beam");
@@ -75,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_folder_that_is_needed_stays)
   const TemporaryFolder folder;
   const std::string     run = folder.file("beam");
   std::filesystem::create_directory(run);
-  write_file(run + "/displacements.csv", "kept");
+  write_result(run + "/displacements.csv", "kept");
   BOOST_CHECK_THROW(
     create_run_folder(folder.path.string(), "beam.prm", true, run + "/."),
     InputError);

@@ -35,11 +35,15 @@ namespace Signorini
     std::vector<RefinementPasses> passes; // adaptive ones, of each body
     std::string                   run;    // an archive of all the rest
 
+    // While meshes are being found: an archive of what is known of them; there
+    // is no run yet.
+    std::string meshes;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &time &step &input &geometry &passes &run;
+      archive &time &step &input &geometry &passes &run &meshes;
     }
   };
 
@@ -47,7 +51,7 @@ namespace Signorini
    * To be raised whenever the content of a checkpoint changes, in this file or
    * in what it holds: State, History, StepMemory and the like.
    */
-  constexpr unsigned int checkpoint_version = 3;
+  constexpr unsigned int checkpoint_version = 4;
 
   /** A checkpoint that was read, and what was wrong with newer ones. */
   struct FoundCheckpoint

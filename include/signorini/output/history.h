@@ -29,8 +29,9 @@ namespace Signorini
 
     /**
      * Append a column and return its index. Possible only before the first
-     * row; the name must be new and free of commas, brackets and quotes, which
-     * would break the table on disk.
+     * row.
+     * @throws InputError unless the name is new and free of commas, brackets
+     * and quotes, which would break the table on disk.
      */
     unsigned int
     add_column(const std::string &name, const std::string &unit);

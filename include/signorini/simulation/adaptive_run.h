@@ -4,9 +4,9 @@
 #include <signorini/output/log.h>
 #include <signorini/output/timings.h>
 #include <signorini/simulation/problem.h>
+#include <signorini/simulation/simulation.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace Signorini
@@ -19,15 +19,17 @@ namespace Signorini
   /**
    * Solves the problem up to `Adaptivity / Time' on one mesh after the other
    * until MeshAdaptation is content, and leaves it on the last of them. The
-   * table of the meshes goes to meshes.csv in the folder.
-   * @param problem on its first mesh
-   * @return the refinements of each body
+   * table of the meshes goes to meshes.csv in the folder. Whenever a mesh was
+   * found a checkpoint is written, with which the search goes on if it is that
+   * of the task.
+   * @param task    gets the refinements of each body, and no checkpoint is left
+   * @param problem on the first mesh, or the last one of the checkpoint
    * @throws InputError, ComputationError, Interrupted.
    */
   template <int dim>
-  std::vector<RefinementPasses>
+  void
   adapt_meshes(const ProblemCreator<dim> &create,
-               const std::string         &folder,
+               RunTask                   &task,
                Problem<dim>              &problem,
                Timings                   &timings,
                Log                       &log);

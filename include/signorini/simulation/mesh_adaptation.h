@@ -5,6 +5,9 @@
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/state.h>
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +26,13 @@ namespace Signorini
     // at most half of the unknowns and 1.2 times the error; infinite without
     // such a mesh. 1
     double change = 0.;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &n_cells &n_unknowns &error &quantities &change;
+    }
   };
 
   /**
@@ -87,6 +97,14 @@ namespace Signorini
     /** The records as a table. @throws ComputationError. */
     void
     write(const std::string &path) const;
+
+    /** For checkpoints through Boost.Serialization: what was found so far. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &passes_ &records_;
+    }
 
   private:
     using Flags = std::vector<std::vector<bool>>; // of the cells of each body

@@ -30,7 +30,8 @@ namespace Signorini
     /** The problem must outlive the object. */
     explicit ResultFields(const Problem<dim> &problem);
 
-    /** The fields are those of this state from now on; it must stay alive. */
+    /** The fields are those of this state from now on; it must stay alive, and
+     * as it is. */
     void
     show(const State &state);
 
@@ -70,8 +71,13 @@ namespace Signorini
     SurfaceData<dim>
     surface_data(const ContactPair<dim> &pair) const;
 
+    // Of all pairs, evaluated when they are first asked for.
+    const std::vector<ContactPoint<dim>> &
+    contact_points() const;
+
     const Problem<dim>                               &problem_;
     const State                                      *state_ = nullptr;
+    mutable std::vector<ContactPoint<dim>>            contact_points_;
     std::vector<std::unique_ptr<StressRecovery<dim>>> stresses_; // a body each
   };
 } // namespace Signorini
