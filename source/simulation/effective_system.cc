@@ -24,6 +24,20 @@ namespace Signorini
       return std::clamp(1e-2 * unloaded.smallest_pivot(), 1e-13, 1e-6);
     }
 
+    // What a soft body holds is weak against a stiff one, too.
+    double
+    weakest_held(const double                          weakest,
+                 const std::vector<FreeModes::Spring> &held,
+                 const FullMatrix<double>             &stiffness)
+    {
+      double ratio = 1.;
+      for (const auto &[row, spring] : held)
+        for (const auto &[i, a] : row)
+          if (stiffness(i, i) > 0.)
+            ratio = std::min(ratio, spring / stiffness(i, i));
+      return std::min(weakest, std::max(1e-2 * ratio, 1e-13));
+    }
+
     // False if the matrix is not positive definite, or too weak.
     bool
     set_if_definite(const FullMatrix<double> &matrix,
@@ -392,6 +406,7 @@ namespace Signorini
         // Later they are where the pass before left them, which may creep.
         for (unsigned int s = 0; s < springs.size() && pass > 1; ++s)
           rests[s] = springs[s].row.dot(centre);
+        const double weakest = weakest_held(weakest_pivot_, springs, stiffness);
         for (auto &spring : free_modes_.springs(springs))
           {
             rests.push_back(spring.row.dot(centre));
@@ -407,8 +422,7 @@ namespace Signorini
                 held(i, j) += spring * a * b;
             row.add_to(held_force, spring * rests[s]);
           }
-        const double least =
-          set_with_least_springs(held, weakest_pivot_, problem_);
+        const double least = set_with_least_springs(held, weakest, problem_);
 
         // 2. The contact problem with them
         problem_.set_force(held_force);

@@ -146,11 +146,13 @@ namespace Signorini
       std::max(largest_normal(old_multipliers), largest_normal(multipliers));
     if (change <= settings_.force_tolerance * largest)
       return change / largest;
-    // Of a touch without pressure forces are rounding, and never settle.
-    const double negligible =
-      std::max(settings_.time.residual_tolerance *
-                 force_scale(state, multipliers),
-               floor_multiple * force_rounding(step_size, state).linfty_norm());
+    // Of a touch without pressure forces are rounding, and never settle: that
+    // of the bodies, or what presses a gap as wide as rounding.
+    const double rounding = force_rounding(step_size, state).linfty_norm() +
+                            largest_stiffness_ * contact_.rounding();
+    const double negligible = std::max(settings_.time.residual_tolerance *
+                                         force_scale(state, multipliers),
+                                       floor_multiple * rounding);
     return change / std::max(largest, negligible / settings_.force_tolerance);
   }
 

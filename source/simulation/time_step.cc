@@ -119,6 +119,7 @@ namespace Signorini
               !settings.time.dynamic,
               timings)
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
+    , largest_stiffness_(largest_diagonal(solid.stiffness()))
     , extent_(extent(solid))
     , has_free_modes_(!settings.time.dynamic &&
                       !solid.free_modes(Vector<double>(solid.n_dofs())).empty())

@@ -82,12 +82,12 @@ namespace Signorini
       residual.stationarity = quotient(unbalance, residual.force_scale);
     }
 
-    // 2. Gaps, and the scale l.
+    // 2. The scale l.
     void
-    measure_gaps(const InterfaceProblem    &problem,
-                 const InterfaceSolution   &solution,
-                 const std::vector<double> &gaps,
-                 KKTResidual               &residual)
+    measure_length_scale(const InterfaceProblem    &problem,
+                         const InterfaceSolution   &solution,
+                         const std::vector<double> &gaps,
+                         KKTResidual               &residual)
     {
       const Vector<double> &free = problem.free_displacement();
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
@@ -104,7 +104,6 @@ namespace Signorini
             if (closed)
               raise(residual.length_scale, std::abs(constant));
           };
-          raise(residual.penetration, -beyond(gaps[k], contact.rounding));
           add_row(contact.normal, contact.gap);
           if (contact.has_friction())
             for (unsigned int j = 0; j < contact.tangents.size(); ++j)
@@ -112,10 +111,20 @@ namespace Signorini
         }
     }
 
+    // To what a solution with the factor of S can tell gaps and slips, m.
+    double
+    length_rounding(const InterfaceProblem &problem,
+                    const KKTResidual      &residual)
+    {
+      return std::numeric_limits<double>::epsilon() * residual.length_scale /
+             problem.stiffness().smallest_pivot();
+    }
+
     // 4. Coulomb's law.
     void
     measure_friction(const InterfaceProblem  &problem,
                      const InterfaceSolution &solution,
+                     const double             rounding,
                      KKTResidual             &residual)
     {
       for (unsigned int k = 0; k < solution.forces.tangential.size(); ++k)
@@ -140,7 +149,7 @@ namespace Signorini
             {
               const double slip =
                 beyond(problem.slip_after(k, j, solution.displacement),
-                       contact.rounding);
+                       contact.rounding + rounding);
               force[j] = quotient(tau[j], residual.force_scale);
               moved[j] = force[j] + quotient(slip, residual.length_scale);
             }
@@ -186,20 +195,25 @@ namespace Signorini
     std::vector<double> gaps(problem.n_contacts());
     for (unsigned int k = 0; k < gaps.size(); ++k)
       gaps[k] = problem.gap_after(k, solution.displacement);
-    measure_gaps(problem, solution, gaps, residual);
+    measure_length_scale(problem, solution, gaps, residual);
+    const double rounding = length_rounding(problem, residual);
 
-    // 3. A force across an open gap. A product of the two would pass a small
-    // force across a wide gap.
+    // 3. Penetration, and a force across an open gap. A product of the two
+    // would pass a small force across a wide gap.
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
-        const double gap = beyond(gaps[k], problem.contact(k).rounding);
+        if (problem.contact(k).is_out_of_reach())
+          continue;
+        const double gap =
+          beyond(gaps[k], problem.contact(k).rounding + rounding);
+        raise(residual.penetration, -gap);
         if (solution.forces.normal[k] > 0. && gap > 0.)
           raise(residual.complementarity,
                 std::min(quotient(solution.forces.normal[k],
                                   residual.force_scale),
                          quotient(gap, residual.length_scale)));
       }
-    measure_friction(problem, solution, residual);
+    measure_friction(problem, solution, rounding, residual);
     return residual;
   }
 } // namespace Signorini

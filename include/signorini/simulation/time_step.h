@@ -253,6 +253,7 @@ namespace Signorini
     double                   rigid_share_; // 1 over the scale of their rows
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;   // of a node, kg
+    double largest_stiffness_; // of a node, N/m
     double                   extent_;         // of all bodies, m
     bool                     has_free_modes_; // static: contact holds bodies
     double                   approach_;       // before the last step, m
