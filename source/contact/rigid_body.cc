@@ -240,14 +240,14 @@ namespace Signorini
   {
     RigidPlacement<dim> placement;
     placement.centre = centre_;
-    double angle     = 0.;
     if (is_free_)
       {
         for (unsigned int c = 0; c < dim; ++c)
           placement.translation[c] =
             configuration.displacement[first_unknown_ + c];
         if (dim == 2)
-          angle = configuration.displacement[first_unknown_ + 2] / lever_;
+          placement.angle =
+            configuration.displacement[first_unknown_ + 2] / lever_;
       }
     else
       {
@@ -255,9 +255,9 @@ namespace Signorini
           placement.translation =
             motion_->vector_value(Point<dim>(), configuration.time);
         if (rotation_)
-          angle = rotation_->value(Point<dim>(), configuration.time);
+          placement.angle = rotation_->value(Point<dim>(), configuration.time);
       }
-    placement.rotation = rotation_by<dim>(angle);
+    placement.rotation = rotation_by<dim>(placement.angle);
     return placement;
   }
 

@@ -62,7 +62,10 @@ namespace Signorini
       target.gap      = surface.gap;
       target.normal   = now_.rotation * surface.normal;
       target.tangents = tangents_of(target.normal);
-      target.motion   = y - before_.to_space(Y);
+      // Along its arc, since it rubs all the way
+      target.motion = now_.translation - before_.translation +
+                      (now_.angle - before_.angle) *
+                        quarter_turn<dim>(y - now_.centre - now_.translation);
       if (body_.is_free())
         add_carriers(y, target);
       if (!body_.is_flat())
@@ -85,9 +88,8 @@ namespace Signorini
     {
       const Tensor<1, dim> motion =
         (end - start) - (now_.translation - before_.translation);
-      const Tensor<2, dim> turn  = now_.rotation * transpose(before_.rotation);
-      const double         angle = std::atan2(turn[1][0], turn[0][0]);
-      const double         lever =
+      const double angle = now_.angle - before_.angle;
+      const double lever =
         std::max(start.distance(now_.centre + before_.translation),
                  end.distance(now_.centre + now_.translation));
       // Not less than the length of the path in the body

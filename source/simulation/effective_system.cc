@@ -152,6 +152,8 @@ namespace Signorini
     , contact_(contact)
     , timings_(timings)
     , algorithm_(std::move(algorithm))
+    , mass_(&solid.mass())
+    , may_lack_mass_(false)
     , solver_(std::make_unique<CholeskyCondensation>())
     , is_factorised_(false)
     , may_be_weak_(false)
@@ -219,6 +221,18 @@ namespace Signorini
 
   template <int dim>
   void
+  EffectiveSystem<dim>::use_mass(const SparseMatrix<double> &mass,
+                                 const bool                  is_everywhere)
+  {
+    is_factorised_ = is_factorised_ && mass_ == &mass;
+    mass_          = &mass;
+    may_lack_mass_ = !is_everywhere;
+  }
+
+
+
+  template <int dim>
+  void
   EffectiveSystem<dim>::factorise(const Factors              &factors,
                                   const SparseMatrix<double> *tangent)
   {
@@ -229,13 +243,13 @@ namespace Signorini
     matrix_.copy_from(tangent ? *tangent : solid_.stiffness());
     matrix_ *= factors.stiffness;
     if (factors.mass != 0.)
-      matrix_.add(factors.mass, solid_.mass());
+      matrix_.add(factors.mass, *mass_);
     if (factors.damping != 0.)
       matrix_.add(factors.damping, solid_.damping());
     for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
       matrix_.diag_element(i) *= factors.lumped;
     is_indefinite_   = false;
-    may_be_weak_     = tangent && factors.mass == 0.;
+    may_be_weak_     = tangent && (factors.mass == 0. || may_lack_mass_);
     trailing_spring_ = 0.;
     for (unsigned int k = 0; k < pins_.size(); ++k)
       add_spring(pins_[k], mode_stiffness_[k]);
@@ -245,7 +259,8 @@ namespace Signorini
       }
     catch (const NotPositiveDefinite &failure)
       {
-        // Inertia makes K^ definite in steps that are short enough.
+        // Inertia makes K^ definite in steps that are short enough, but for
+        // nodes without mass.
         if (!may_be_weak_)
           throw;
         is_indefinite_      = true;

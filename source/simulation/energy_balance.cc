@@ -6,13 +6,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    bool
-    is_dynamic(const SolidModel<dim> &solid)
-    {
-      return !solid.mass().empty();
-    }
-
     InterfaceForces
     sum(const InterfaceForces &a, const InterfaceForces &b)
     {
@@ -24,22 +17,6 @@ namespace Signorini
             result.tangential[k][j] += b.tangential[k][j];
         }
       return result;
-    }
-
-    // Work sum_k (lambda_n + lambda_np)/2 (g_np - g_n) of a step, J.
-    double
-    spurious_contact_work(const State &old_state, const State &state)
-    {
-      double work = 0.;
-      for (unsigned int k = 0; k < state.gaps.size(); ++k)
-        {
-          const double force =
-            old_state.contact_forces.normal[k] + state.contact_forces.normal[k];
-          // A gap out of reach is infinite.
-          if (force != 0. && std::isfinite(state.gaps[k] - old_state.gaps[k]))
-            work += 0.5 * force * (state.gaps[k] - old_state.gaps[k]);
-        }
-      return work;
     }
 
     template <int dim>
@@ -57,13 +34,10 @@ namespace Signorini
 
 
 
-  template <int dim>
   void
-  measure_kinetic_energy(const SolidModel<dim> &solid, State &state)
+  measure_kinetic_energy(const SparseMatrix<double> &mass, State &state)
   {
-    if (is_dynamic(solid))
-      state.energy.kinetic =
-        0.5 * solid.mass().matrix_norm_square(state.velocity);
+    state.energy.kinetic = 0.5 * mass.matrix_norm_square(state.velocity);
   }
 
 
@@ -71,6 +45,7 @@ namespace Signorini
   template <int dim>
   void
   measure_support_forces(const SolidModel<dim>                &solid,
+                         const SparseMatrix<double>           *mass,
                          const ContactModel<dim>              &contact,
                          const std::vector<ContactPoint<dim>> &points,
                          State                                &state)
@@ -80,9 +55,9 @@ namespace Signorini
     Vector<double> force(state.internal_force);
     force -= state.external_force;
     Vector<double> product(force.size());
-    if (is_dynamic(solid))
+    if (mass)
       {
-        solid.mass().vmult(product, state.acceleration);
+        mass->vmult(product, state.acceleration);
         force += product;
       }
     if (solid.is_damped())
@@ -133,67 +108,15 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  return_contact_work(const SolidModel<dim>                &solid,
-                      const ContactModel<dim>              &contact,
-                      const State                          &old_state,
-                      const std::vector<ContactPoint<dim>> &points,
-                      EffectiveSystem<dim>                 &system,
-                      State                                &state)
-  {
-    const double debt =
-      old_state.contact_debt - spurious_contact_work(old_state, state);
-    state.contact_debt = debt;
-
-    // Rounding is no work.
-    const double energy = old_state.energy.kinetic + old_state.energy.stored;
-    if (std::abs(debt) <= 1e-14 * energy)
-      return;
-
-    // Along the normals only: friction has done its work.
-    const InterfaceForces forces(
-      sum(old_state.contact_forces, state.contact_forces).normal);
-    Vector<double> force(solid.n_dofs());
-    contact.add_contact_forces(points, forces, 1., force);
-    if (force.all_zero())
-      return;
-    Vector<double> direction = system.respond(force);
-    solid.mass_redistribution().extrapolate(direction);
-
-    Vector<double> momentum(direction.size());
-    solid.mass().vmult(momentum, direction);
-    const double a            = 0.5 * (direction * momentum);
-    const double b            = state.velocity * momentum;
-    const double discriminant = b * b + 4. * a * debt;
-    double       s;
-    if (discriminant >= 0.)
-      {
-        s = 2. * debt / (b + std::copysign(std::sqrt(discriminant), b));
-        state.contact_debt = 0.;
-      }
-    else
-      {
-        s                  = -0.5 * b / a;
-        state.contact_debt = debt + 0.25 * b * b / a;
-      }
-    state.velocity.add(s, direction);
-    state.energy.returned += debt - state.contact_debt;
-  }
-
-
-
-  template void
-  measure_kinetic_energy(const SolidModel<2> &, State &);
-  template void
-  measure_kinetic_energy(const SolidModel<3> &, State &);
   template void
   measure_support_forces(const SolidModel<2> &,
+                         const SparseMatrix<double> *,
                          const ContactModel<2> &,
                          const std::vector<ContactPoint<2>> &,
                          State &);
   template void
   measure_support_forces(const SolidModel<3> &,
+                         const SparseMatrix<double> *,
                          const ContactModel<3> &,
                          const std::vector<ContactPoint<3>> &,
                          State &);
@@ -209,18 +132,4 @@ namespace Signorini
                const State &,
                const std::vector<ContactPoint<3>> &,
                State &);
-  template void
-  return_contact_work(const SolidModel<2> &,
-                      const ContactModel<2> &,
-                      const State &,
-                      const std::vector<ContactPoint<2>> &,
-                      EffectiveSystem<2> &,
-                      State &);
-  template void
-  return_contact_work(const SolidModel<3> &,
-                      const ContactModel<3> &,
-                      const State &,
-                      const std::vector<ContactPoint<3>> &,
-                      EffectiveSystem<3> &,
-                      State &);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #include <signorini/simulation/history_columns.h>
 
 #include <limits>
+#include <numeric>
 
 namespace Signorini
 {
@@ -94,6 +95,90 @@ namespace Signorini
       row.push_back(state.displacement[first + 2] / body.lever());
       row.push_back(state.velocity[first + 2] / body.lever());
     }
+    // The components of momentum and centre of a body.
+    template <int dim>
+    std::vector<unsigned int>
+    directions(const Body<dim> &body)
+    {
+      if (body.formulation() == Formulation::axisymmetric)
+        return {1};
+      std::vector<unsigned int> result(dim);
+      std::iota(result.begin(), result.end(), 0u);
+      return result;
+    }
+
+    template <int dim>
+    void
+    add_motion_columns(const Body<dim> &body, History &history)
+    {
+      const std::string name = body.name() + ".";
+      for (const unsigned int c : directions(body))
+        history.add_column(name + "momentum_" + component_name(c), "kg m/s");
+      if (dim == 3)
+        for (unsigned int c = 0; c < dim; ++c)
+          history.add_column(name + "angular_momentum_" + component_name(c),
+                             "kg m^2/s");
+      else if (body.formulation() != Formulation::axisymmetric)
+        history.add_column(name + "angular_momentum", "kg m^2/s");
+      for (const unsigned int c : directions(body))
+        history.add_column(name + "centre_" + component_name(c), "m");
+    }
+
+    template <int dim>
+    void
+    append_motion(const Body<dim>     &body,
+                  const BodyMotion    &motion,
+                  std::vector<double> &row)
+    {
+      for (const unsigned int c : directions(body))
+        row.push_back(motion.momentum[c]);
+      if (dim == 3)
+        row.insert(row.end(),
+                   motion.angular_momentum.begin(),
+                   motion.angular_momentum.end());
+      else if (body.formulation() != Formulation::axisymmetric)
+        row.push_back(motion.angular_momentum[2]);
+      for (const unsigned int c : directions(body))
+        row.push_back(motion.centre[c]);
+    }
+
+    // Momentum of a free rigid body; angular momentum about the origin.
+    template <int dim>
+    void
+    add_rigid_motion_columns(const RigidBody<dim> &body, History &history)
+    {
+      const std::string name = body.name() + ".";
+      for (unsigned int c = 0; c < dim; ++c)
+        history.add_column(name + "momentum_" + component_name(c), "kg m/s");
+      if (dim == 2)
+        history.add_column(name + "angular_momentum", "kg m^2/s");
+    }
+
+    template <int dim>
+    void
+    append_rigid_motion(const RigidBody<dim> &body,
+                        const State          &state,
+                        std::vector<double>  &row)
+    {
+      const auto         unknowns = body.unknowns();
+      const unsigned int first    = body.first_unknown();
+      Tensor<1, dim>     momentum;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          momentum[c] = unknowns[c].mass * state.velocity[first + c];
+          row.push_back(momentum[c]);
+        }
+      if (dim == 3)
+        return;
+      const RigidPlacement<dim> placement =
+        body.placement({state.displacement, state.time});
+      const Tensor<1, dim> place =
+        Tensor<1, dim>(placement.centre) + placement.translation;
+      // The unknown of rotation is an arc, and its mass that on the lever.
+      row.push_back(quarter_turn<dim>(place) * momentum +
+                    body.lever() * unknowns[2].mass *
+                      state.velocity[first + 2]);
+    }
   } // namespace
 
 
@@ -139,7 +224,14 @@ namespace Signorini
       }
     for (const auto &body : problem.rigid_bodies)
       if (body->is_free())
-        add_rigid_body_columns(*body, history);
+        {
+          add_rigid_body_columns(*body, history);
+          if (problem.time.dynamic)
+            add_rigid_motion_columns(*body, history);
+        }
+    if (problem.time.dynamic)
+      for (const auto &part : problem.solid->parts())
+        add_motion_columns(*part.body, history);
     for (const char *const name : {"energy.kinetic",
                                    "energy.stored",
                                    "energy.plastic",
@@ -189,7 +281,13 @@ namespace Signorini
       }
     for (const auto &body : problem.rigid_bodies)
       if (body->is_free())
-        append_rigid_body(*body, state, row);
+        {
+          append_rigid_body(*body, state, row);
+          if (problem.time.dynamic)
+            append_rigid_motion(*body, state, row);
+        }
+    for (unsigned int b = 0; b < state.motions.size(); ++b)
+      append_motion(*problem.solid->parts()[b].body, state.motions[b], row);
     const EnergyLedger &energy = state.energy;
     for (const double value : {energy.kinetic,
                                energy.stored,

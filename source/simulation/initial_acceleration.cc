@@ -25,11 +25,13 @@ namespace Signorini
 
   template <int dim>
   void
-  balance_initial_acceleration(const SolidModel<dim>                &solid,
-                               const std::vector<ContactPoint<dim>> &points,
-                               const std::vector<double> &coefficients,
-                               EffectiveSystem<dim>      &system,
-                               State                     &state)
+  balance_initial_acceleration(
+    const SolidModel<dim>                             &solid,
+    const typename SolidModel<dim>::RedistributedMass &mass,
+    const std::vector<ContactPoint<dim>>              &points,
+    const std::vector<double>                         &coefficients,
+    EffectiveSystem<dim>                              &system,
+    State                                             &state)
   {
     // The motion in a time tau that is short against every oscillation of the
     // mesh: nodes with mass move by A tau^2, those without to their balance.
@@ -40,7 +42,7 @@ namespace Signorini
     Vector<double> force(state.external_force);
     force -= state.internal_force;
     Vector<double> product(force.size());
-    solid.mass().vmult(product, state.acceleration); // of given motions
+    mass.matrix.vmult(product, state.acceleration); // of given motions
     force -= product;
     if (solid.is_damped())
       {
@@ -51,25 +53,27 @@ namespace Signorini
       system.correct(force, points, state.contact_forces, coefficients);
     state.contact_forces = correction.multipliers;
     for (unsigned int i = 0; i < correction.motion.size(); ++i)
-      if (solid.mass_redistribution().is_massless(i))
+      if (mass.redistribution.is_massless(i))
         state.displacement[i] += correction.motion[i];
       else
         state.acceleration[i] += factor * correction.motion[i];
     solid.constraints().distribute(state.displacement);
     solid.constraints().distribute(state.acceleration);
-    solid.mass_redistribution().extrapolate(state.acceleration);
+    mass.redistribution.extrapolate(state.acceleration);
   }
 
 
 
   template void
   balance_initial_acceleration(const SolidModel<2> &,
+                               const SolidModel<2>::RedistributedMass &,
                                const std::vector<ContactPoint<2>> &,
                                const std::vector<double> &,
                                EffectiveSystem<2> &,
                                State &);
   template void
   balance_initial_acceleration(const SolidModel<3> &,
+                               const SolidModel<3>::RedistributedMass &,
                                const std::vector<ContactPoint<3>> &,
                                const std::vector<double> &,
                                EffectiveSystem<3> &,

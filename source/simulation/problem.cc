@@ -112,12 +112,11 @@ namespace Signorini
     contact_mass(const std::string &name)
     {
       return name == "consistent" ? ContactMass::consistent :
-             name == "affine"     ? ContactMass::affine :
                                     ContactMass::redistributed;
     }
 
-    // The nodes of each body that carry no mass, or would not: of contactors
-    // and of deforming targets, so that both get the same share of the force.
+    // The nodes of each body that may lose their mass: of contactors and of
+    // deforming targets.
     template <int dim>
     std::vector<std::vector<Node<dim>>>
     contact_nodes(const SolidModel<dim>   &solid,
@@ -263,7 +262,8 @@ namespace Signorini
     treat_overclosure(problem.contact_parameters.of_pairs,
                       start,
                       *problem.contact);
-    if (!problem.time.dynamic)
+    if (!problem.time.dynamic ||
+        problem.time.initial_state == InitialState::still)
       refuse_unheld_bodies(*problem.solid,
                            *problem.contact,
                            problem.rigid_bodies,

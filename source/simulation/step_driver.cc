@@ -52,12 +52,45 @@ namespace Signorini
   {
     try
       {
-        return time_step_.initial_state(problem_.initial_displacement,
-                                        problem_.initial_velocity);
+        if (problem_.time.initial_state == InitialState::as_given)
+          return time_step_.initial_state(problem_.initial_displacement,
+                                          problem_.initial_velocity,
+                                          problem_.solid->initial_history());
+        const State still = equilibrium();
+        return time_step_.initial_state(still.displacement,
+                                        problem_.initial_velocity,
+                                        still.history);
       }
     catch (const NotPositiveDefinite &failure)
       {
         throw_not_positive_definite(failure.unknown);
+      }
+  }
+
+
+
+  template <int dim>
+  State
+  StepDriver<dim>::equilibrium() const
+  {
+    auto still         = settings(problem_);
+    still.time.dynamic = false;
+    TimeStep<dim> step(*problem_.solid, *problem_.contact, still, timings_);
+    const State   given =
+      step.initial_state(problem_.initial_displacement,
+                         Vector<double>(problem_.solid->n_dofs()),
+                         problem_.solid->initial_history());
+    const double size = problem_.time.step_control.initial_size;
+    try
+      {
+        return step.advance(given, {0, -size, size});
+      }
+    catch (const StepFailed &failure)
+      {
+        throw ComputationError(
+          std::string("Time / Initial state = static: ") + failure.what() +
+          ". No equilibrium under the loads at t = 0 was found. Hold the bodies, "
+          "let the loads grow in the run, or set Initial state = as given.");
       }
   }
 
@@ -205,7 +238,7 @@ namespace Signorini
     const double kinetic = state.energy.kinetic;
     for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
       state.velocity[i] = 0.;
-    measure_kinetic_energy(*problem_.solid, state);
+    measure_kinetic_energy(problem_.solid->mass(), state);
     const double taken = kinetic - state.energy.kinetic;
     state.energy.damping += taken;
     return taken;

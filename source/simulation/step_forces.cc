@@ -139,7 +139,7 @@ namespace Signorini
 
   template <int dim>
   Vector<double>
-  TimeStep<dim>::residual(const State &old_state, const State &state) const
+  TimeStep<dim>::residual(const State &old_state, const State &state)
   {
     const auto     timing = timings_.measure(section_residual_);
     Vector<double> force(state.external_force);
@@ -154,7 +154,7 @@ namespace Signorini
       {
         Vector<double> history(old_state.external_force);
         history -= old_state.internal_force;
-        solid_.mass_redistribution().clear_massless(history);
+        inertia_.mass(state).redistribution.clear_massless(history);
         force.add(scheme_.alpha_H, history);
       }
 
@@ -163,7 +163,7 @@ namespace Signorini
                   scheme_.alpha_B,
                   old_state.acceleration);
     Vector<double> product(force.size());
-    solid_.mass().vmult(product, weighted);
+    inertia_.mass(state).matrix.vmult(product, weighted);
     force -= product;
     if (solid_.is_damped())
       {
@@ -240,7 +240,7 @@ namespace Signorini
                                   const State &,
                                   Vector<double> &) const;
   template Vector<double>
-  TimeStep<2>::residual(const State &, const State &) const;
+  TimeStep<2>::residual(const State &, const State &);
   template typename EffectiveSystem<3>::Factors
   TimeStep<3>::effective_factors(const double) const;
   template void
@@ -258,5 +258,5 @@ namespace Signorini
                                   const State &,
                                   Vector<double> &) const;
   template Vector<double>
-  TimeStep<3>::residual(const State &, const State &) const;
+  TimeStep<3>::residual(const State &, const State &);
 } // namespace Signorini

@@ -1,5 +1,7 @@
+#include <signorini/simulation/contact_work.h>
 #include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/initial_acceleration.h>
+#include <signorini/simulation/momentum.h>
 #include <signorini/simulation/rigid_mechanism.h>
 #include <signorini/simulation/slip.h>
 #include <signorini/simulation/time_step.h>
@@ -113,6 +115,10 @@ namespace Signorini
     , multiplier_factor_(multiplier_factor(settings.time))
     , rigid_scheme_(rigid_scheme(settings.time))
     , rigid_share_(rigid_share(settings.time))
+    , inertia_(solid,
+               settings.time.dynamic &&
+                 settings.time.contact_mass != "consistent",
+               1e-12 * contact.extent())
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, multiplier_factor_),
@@ -134,8 +140,9 @@ namespace Signorini
 
   template <int dim>
   State
-  TimeStep<dim>::initial_state(const Vector<double> &displacement,
-                               const Vector<double> &velocity)
+  TimeStep<dim>::initial_state(const Vector<double>      &displacement,
+                               const Vector<double>      &velocity,
+                               const std::vector<double> &history)
   {
     State state;
     state.displacement = displacement;
@@ -149,9 +156,9 @@ namespace Signorini
     solid_.apply_supports(0., state.displacement);
     // A static run starts unloaded: its first step brings the loads from zero.
     state.external_force.reinit(solid_.n_dofs());
-    state.history      = solid_.initial_history();
+    state.history      = history;
     const State before = state;
-    respond(before, 0., state);
+    respond(before, settings_.time.step_size, state);
     if (settings_.time.dynamic)
       {
         state.external_force = solid_.external_force(0., state.displacement);
@@ -159,23 +166,36 @@ namespace Signorini
                                    settings_.time.step_size,
                                    state.velocity,
                                    state.acceleration);
-        solid_.mass_redistribution().extrapolate(state.velocity);
+        const auto points = evaluate_contact(state, state);
+        state.massless_nodes =
+          inertia_.approaching(points, state, settings_.time.step_size);
+        std::sort(state.massless_nodes.begin(), state.massless_nodes.end());
+        inertia_.mass(state).redistribution.extrapolate(state.velocity);
+        system_.use_mass(inertia_.mass(state).matrix,
+                         state.massless_nodes.empty());
         balance_initial_acceleration(solid_,
-                                     evaluate_contact(state, state),
+                                     inertia_.mass(state),
+                                     points,
                                      friction_coefficients(contact_, state),
                                      system_,
                                      state);
       }
-    respond(before, 0., state);
+    respond(before, settings_.time.step_size, state);
     if (!settings_.time.dynamic)
       state.external_force = 0.;
     const auto points = evaluate_contact(state, state);
     for (const auto &point : points)
       state.gaps.push_back(point.gap);
     find_initial_slip(points, state);
-    measure_support_forces(solid_, contact_, points, state);
-    measure_kinetic_energy(solid_, state);
-    state.energy.initial = state.energy.kinetic + state.energy.stored;
+    measure_support_forces(solid_,
+                           solid_.mass().empty() ? nullptr :
+                                                   &inertia_.mass(state).matrix,
+                           contact_,
+                           points,
+                           state);
+    measure_motion(state);
+    state.energy.initial =
+      state.energy.kinetic + state.energy.stored + state.energy.plastic;
     return state;
   }
 
@@ -185,15 +205,19 @@ namespace Signorini
   State
   TimeStep<dim>::advance(const State &old_state, const Step &step)
   {
-    fallbacks_.clear();
-    indefinite_at_.clear();
-    residuals_.clear();
-    approach_ = 0.;
-    if (!has_free_modes_)
-      return iterate(old_state, step, old_state.contact_forces);
-    State      start  = old_state;
-    const auto forces = approach_contact(step.end(), start);
-    return iterate(start, step, forces);
+    approach_    = 0.;
+    State start  = old_state;
+    auto  forces = old_state.contact_forces;
+    if (has_free_modes_)
+      forces = approach_contact(step.end(), start);
+    while (true)
+      {
+        State      state  = start;
+        const auto landed = iterate(start, step, forces, state);
+        if (landed.empty())
+          return state;
+        start = inertia_.take_mass(start, landed);
+      }
   }
 
 
@@ -231,12 +255,18 @@ namespace Signorini
 
 
   template <int dim>
-  State
+  std::vector<unsigned int>
   TimeStep<dim>::iterate(const State           &old_state,
                          const Step            &step,
-                         const InterfaceForces &first_forces)
+                         const InterfaceForces &first_forces,
+                         State                 &state)
   {
-    State state        = old_state;
+    fallbacks_.clear();
+    indefinite_at_.clear();
+    residuals_.clear();
+    if (settings_.time.dynamic)
+      system_.use_mass(inertia_.mass(old_state).matrix,
+                       old_state.massless_nodes.empty());
     state.step         = step.number;
     state.time         = step.end();
     state.n_iterations = 0;
@@ -260,15 +290,23 @@ namespace Signorini
     while (true)
       {
         update_rates(old_state, step.size, state);
-        const auto           points = evaluate_contact(state, old_state);
-        const Vector<double> force  = residual(old_state, state);
+        const auto points = evaluate_contact(state, old_state);
+        if (state.n_iterations == 0)
+          if (auto nodes = inertia_.approaching(points, old_state, step.size);
+              !nodes.empty())
+            return nodes;
+        const Vector<double> force = residual(old_state, state);
         measure_balance(step.size, force, points, iterate.multipliers, state);
         const auto unmet = unmet_criterion(state, points, iterate);
         if (!unmet)
           {
+            const auto nodes =
+              inertia_.pressed(points, iterate.multipliers, old_state);
+            if (!nodes.empty())
+              return nodes;
             refuse_passage(old_state, iterate, state);
             finish(old_state, step.size, points, iterate, state);
-            return state;
+            return {};
           }
         if (!std::isfinite(state.residual) ||
             state.n_iterations >= settings_.time.maximal_iterations)
@@ -396,17 +434,40 @@ namespace Signorini
     measure_slip(step_size, points, state);
     if (settings_.time.dynamic)
       {
-        solid_.mass_redistribution().extrapolate(state.velocity);
-        solid_.mass_redistribution().extrapolate(state.acceleration);
-        if (settings_.time.return_contact_work &&
-            system_.algorithm().enforces_exactly())
-          return_contact_work(
-            solid_, contact_, old_state, points, system_, state);
+        const auto &mass = inertia_.mass(state);
+        mass.redistribution.extrapolate(state.velocity);
+        mass.redistribution.extrapolate(state.acceleration);
       }
     const auto timing = timings_.measure(section_residual_);
-    measure_support_forces(solid_, contact_, points, state);
-    measure_kinetic_energy(solid_, state);
+    measure_support_forces(solid_,
+                           solid_.mass().empty() ? nullptr :
+                                                   &inertia_.mass(state).matrix,
+                           contact_,
+                           points,
+                           state);
+    measure_motion(state);
     measure_work(solid_, contact_, old_state, points, state);
+    if (settings_.time.dynamic && settings_.time.return_contact_work &&
+        system_.algorithm().enforces_exactly())
+      {
+        return_contact_work(
+          contact_, inertia_.mass(state), old_state, points, system_, state);
+        measure_motion(state);
+      }
+    state.handed_over.reinit(0);
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::measure_motion(State &state)
+  {
+    if (solid_.mass().empty())
+      return;
+    const SparseMatrix<double> &mass = inertia_.mass(state).matrix;
+    measure_kinetic_energy(mass, state);
+    state.motions = body_motions(solid_, mass, state);
   }
 
 

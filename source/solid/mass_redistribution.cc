@@ -66,22 +66,42 @@ namespace Signorini
       std::vector<std::vector<unsigned int>> nodes_of_cell_;
     };
 
+    // Inner nodes and their weights.
+    template <int dim>
+    struct Weights
+    {
+      std::vector<Node<dim>> donors;
+      std::vector<double>    of_donor;
+    };
+
+    // The weights of component c.
+    template <int dim>
+    MassRedistribution::Row
+    row(const Weights<dim> &weights, const unsigned int c)
+    {
+      MassRedistribution::Row result;
+      for (unsigned int j = 0; j < weights.donors.size(); ++j)
+        if (std::abs(weights.of_donor[j]) > 1e-14)
+          result.emplace_back(weights.donors[j].dofs[c], weights.of_donor[j]);
+      return result;
+    }
+
     // Weights that fall so steeply with the distance that on a regular mesh the
     // node across the cell is the only one, while equally near ones share.
-    // Every further node would cost entries of the mass matrix.
     template <int dim>
     std::vector<double>
-    nearest_weights(const Point<dim>              &point,
-                    const std::vector<Point<dim>> &donors)
+    nearest_weights(const Point<dim>             &point,
+                    const std::vector<Node<dim>> &donors)
     {
       double nearest = std::numeric_limits<double>::max();
       for (const auto &donor : donors)
-        nearest = std::min(nearest, donor.distance(point));
+        nearest = std::min(nearest, donor.point.distance(point));
       std::vector<double> weights;
       double              sum = 0.;
       for (const auto &donor : donors)
         {
-          const double weight = std::pow(nearest / donor.distance(point), 12);
+          const double weight =
+            std::pow(nearest / donor.point.distance(point), 12);
           weights.push_back(weight < 0.05 ? 0. : weight);
           sum += weights.back();
         }
@@ -95,14 +115,14 @@ namespace Signorini
     // fourth power makes the nearest nodes carry nearly all.
     template <int dim>
     std::vector<double>
-    affine_weights(const Point<dim>              &point,
-                   const std::vector<Point<dim>> &donors)
+    affine_weights(const Point<dim>             &point,
+                   const std::vector<Node<dim>> &donors)
     {
       if (donors.size() < dim + 1)
         return {};
       double scale = 0.;
       for (const auto &donor : donors)
-        scale = std::max(scale, donor.distance(point));
+        scale = std::max(scale, donor.point.distance(point));
 
       // Columns (1, (x_j - x)/scale) times 1/d^4, and their normal matrix.
       constexpr unsigned int m = dim + 1;
@@ -111,7 +131,7 @@ namespace Signorini
       std::vector<double>    importance(donors.size());
       for (unsigned int j = 0; j < donors.size(); ++j)
         {
-          const Tensor<1, dim> arm = (donors[j] - point) / scale;
+          const Tensor<1, dim> arm = (donors[j].point - point) / scale;
           importance[j]            = 1. / std::pow(arm.norm(), 4);
           columns(j, 0)            = 1.;
           for (unsigned int d = 0; d < dim; ++d)
@@ -154,8 +174,7 @@ namespace Signorini
 
   template <int dim>
   void
-  MassRedistribution::add(const ContactMass             kind,
-                          const Body<dim>              &body,
+  MassRedistribution::add(const Body<dim>              &body,
                           const std::vector<Node<dim>> &contact_nodes,
                           const std::vector<bool>      &is_fixed,
                           const std::vector<bool>      &is_hanging)
@@ -168,37 +187,33 @@ namespace Signorini
 
     for (const unsigned int contact : massless)
       {
-        const Node<dim>          &node = body.nodes()[contact];
-        std::vector<unsigned int> donors;
-        std::vector<double>       weights;
-        std::set<unsigned int>    neighbours = {contact};
-        for (unsigned int layer = 1; layer <= 3 && weights.empty(); ++layer)
+        const Node<dim>       &node       = body.nodes()[contact];
+        std::set<unsigned int> neighbours = {contact};
+        Weights<dim>           nearest, affine;
+        for (unsigned int layer = 1; layer <= 3 && affine.of_donor.empty();
+             ++layer)
           {
             neighbours = graph.widen(neighbours);
-            donors.clear();
-            std::vector<Point<dim>> points;
+            Weights<dim> weights;
             for (const unsigned int candidate : neighbours)
               if (massless.count(candidate) == 0 &&
                   !is_hanging[body.nodes()[candidate].dofs[0]])
-                {
-                  donors.push_back(candidate);
-                  points.push_back(body.nodes()[candidate].point);
-                }
-            weights = kind == ContactMass::affine ?
-                        affine_weights(node.point, points) :
-                        nearest_weights(node.point, points);
+                weights.donors.push_back(body.nodes()[candidate]);
+            if (nearest.of_donor.empty())
+              nearest = {weights.donors,
+                         nearest_weights(node.point, weights.donors)};
+            affine = {weights.donors,
+                      affine_weights(node.point, weights.donors)};
           }
-        if (weights.empty())
+        if (nearest.of_donor.empty())
           throw_too_thin(body, node.point);
-
+        if (affine.of_donor.empty())
+          affine = nearest;
         for (unsigned int c = 0; c < dim; ++c)
           if (!is_fixed[node.dofs[c]])
             {
-              Row &row = rows_[node.dofs[c]];
-              row.clear();
-              for (unsigned int j = 0; j < donors.size(); ++j)
-                if (std::abs(weights[j]) > 1e-14)
-                  row.emplace_back(body.nodes()[donors[j]].dofs[c], weights[j]);
+              rows_[node.dofs[c]]      = row(affine, c);
+              receivers_[node.dofs[c]] = row(nearest, c);
             }
       }
   }
@@ -259,6 +274,38 @@ namespace Signorini
 
 
   void
+  MassRedistribution::move_mass(SparseMatrix<double> &mass) const
+  {
+    // What a massless unknown loses: its row and column, where they meet once.
+    std::map<unsigned int, double> lost;
+    for (const auto &[massless, row] : rows_)
+      for (auto entry = mass.begin(massless); entry != mass.end(massless);
+           ++entry)
+        lost[massless] +=
+          is_massless(entry->column()) ? entry->value() : 2. * entry->value();
+    for (unsigned int i = 0; i < mass.m(); ++i)
+      for (auto entry = mass.begin(i); entry != mass.end(i); ++entry)
+        if (is_massless(i) || is_massless(entry->column()))
+          entry->value() = 0.;
+    for (const auto &[massless, shares] : receivers_)
+      for (const auto &[dof, share] : shares)
+        mass.diag_element(dof) += share * lost[massless];
+  }
+
+
+
+  void
+  MassRedistribution::hand_over(const unsigned int massless,
+                                Vector<double>    &force) const
+  {
+    for (const auto &[dof, weight] : rows_.at(massless))
+      force[dof] += weight * force[massless];
+    force[massless] = 0.;
+  }
+
+
+
+  void
   MassRedistribution::extrapolate(Vector<double> &vector) const
   {
     for (const auto &[massless, row] : rows_)
@@ -282,14 +329,12 @@ namespace Signorini
 
 
   template void
-  MassRedistribution::add(const ContactMass,
-                          const Body<2> &,
+  MassRedistribution::add(const Body<2> &,
                           const std::vector<Node<2>> &,
                           const std::vector<bool> &,
                           const std::vector<bool> &);
   template void
-  MassRedistribution::add(const ContactMass,
-                          const Body<3> &,
+  MassRedistribution::add(const Body<3> &,
                           const std::vector<Node<3>> &,
                           const std::vector<bool> &,
                           const std::vector<bool> &);

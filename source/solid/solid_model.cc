@@ -100,11 +100,10 @@ namespace Signorini
   {
     if (inertia.present && inertia.contact_mass != ContactMass::consistent)
       for (unsigned int b = 0; b < inertia.contact_nodes.size(); ++b)
-        redistribution_.add(inertia.contact_mass,
-                            *parts_[b].body,
-                            inertia.contact_nodes[b],
-                            is_fixed_,
-                            is_hanging_);
+        undamped_.add(*parts_[b].body,
+                      inertia.contact_nodes[b],
+                      is_fixed_,
+                      is_hanging_);
     build_sparsity();
 
     stiffness_.reinit(sparsity_);
@@ -190,7 +189,8 @@ namespace Signorini
       }
     for (unsigned int i = first_lumped(); i < n_dofs(); ++i)
       pattern.add(i, i);
-    redistribution_.extend(pattern);
+    if (has_damping())
+      undamped_.extend(pattern);
     sparsity_.copy_from(pattern);
   }
 

@@ -117,6 +117,14 @@ namespace Signorini
                       Patterns::Selection("dynamic|static"),
                       "dynamic: with inertia. static: without inertia; time "
                       "only scales loads and motions (load stepping).");
+    prm.declare_entry("Initial state",
+                      "as given",
+                      Patterns::Selection("as given|static"),
+                      "What a dynamic run starts from. as given: the initial "
+                      "displacements of the bodies, which need not be in "
+                      "balance. static: the equilibrium that a static step "
+                      "from there finds under the loads and supports at t = 0, "
+                      "with contact and friction; velocities are as given.");
     prm.declare_entry("Final relaxation",
                       "none",
                       Patterns::Selection("none|static|damped"),
@@ -138,13 +146,12 @@ namespace Signorini
     declare_scheme(prm);
     prm.declare_entry("Contact mass",
                       "redistributed",
-                      Patterns::Selection("consistent|redistributed|affine"),
-                      "redistributed: nodes that may come into contact carry "
-                      "no mass, it goes to their nearest inner neighbours, and "
-                      "contact forces do not ring. affine: it goes to two "
-                      "layers of neighbours so that centre of mass and moments "
-                      "of inertia are kept to the digit. consistent: every "
-                      "node keeps its mass.");
+                      Patterns::Selection("consistent|redistributed"),
+                      "redistributed: nodes lose their mass when they come "
+                      "into contact, and contact forces do not ring. It goes "
+                      "inwards; mass, centre of mass and moments of inertia of "
+                      "each body are kept, and so are its energy and momenta. "
+                      "consistent: every node keeps its mass.");
     prm.declare_entry("Contact work",
                       "returned",
                       Patterns::Selection("returned|lost"),
@@ -177,7 +184,15 @@ namespace Signorini
   {
     TimeParameters parameters;
     prm.enter_subsection("Time");
-    parameters.dynamic = prm.get("Analysis") == "dynamic";
+    parameters.dynamic       = prm.get("Analysis") == "dynamic";
+    parameters.initial_state = prm.get("Initial state") == "static" ?
+                                 InitialState::still :
+                                 InitialState::as_given;
+    if (parameters.initial_state == InitialState::still && !parameters.dynamic)
+      throw InputError(
+        "Time / Initial state: found static, but a static run is "
+        "in equilibrium after its first step anyway. Leave the "
+        "entry out, or set Time / Analysis = dynamic.");
     parameters.final_relaxation =
       relaxation_from_name(prm.get("Final relaxation"));
     if (parameters.final_relaxation != FinalRelaxation::none &&

@@ -16,6 +16,7 @@ namespace Signorini
     dealii::Point<dim>     centre;      // c, m
     dealii::Tensor<1, dim> translation; // u, m
     dealii::Tensor<2, dim> rotation;    // R
+    double                 angle = 0.;  // of R, with all whole turns
 
     dealii::Point<dim>
     to_space(const dealii::Point<dim> &body_point) const

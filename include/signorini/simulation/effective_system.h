@@ -66,6 +66,14 @@ namespace Signorini
                     Timings                            &timings);
 
     /**
+     * M from now on; at first that of the solid. It must outlive its use.
+     * @param is_everywhere false: there are nodes without mass
+     */
+    void
+    use_mass(const dealii::SparseMatrix<double> &mass,
+             const bool                          is_everywhere);
+
+    /**
      * Assembles and factorises K^, unless it is the one at hand.
      *
      * Of a static body, K may be singular, since only contact holds it: then
@@ -175,6 +183,8 @@ namespace Signorini
     const ContactModel<dim>            &contact_;
     Timings                            &timings_;
     std::unique_ptr<InterfaceAlgorithm> algorithm_;
+    const dealii::SparseMatrix<double> *mass_;
+    bool                                may_lack_mass_;
     std::unique_ptr<CondensedSolver>    solver_;
     dealii::SparseMatrix<double>        matrix_;
     bool                                is_factorised_;

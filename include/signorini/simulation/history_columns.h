@@ -18,6 +18,10 @@ namespace Signorini
    *  - for each pair: contacts (nodes with contact force), force_x, ... (on
    *    the body), pressure_max and pressure_mean (contact force over the area
    *    of the nodes in contact), gap_min, penetration = max(0, -gap_min);
+   *  - for each free rigid body: displacement, velocity, and in a dynamic run
+   *    momentum and angular momentum;
+   *  - for each body of a dynamic run: momentum_x, ..., angular_momentum (3-D:
+   *    _x, ...), centre_x, ...; of an axisymmetric one only along the axis;
    *  - energy.kinetic, .stored, .damping, .scheme_loss; work.loads, .supports,
    *    .contact, .returned.
    */

@@ -14,11 +14,13 @@ namespace Signorini
    */
   template <int dim>
   void
-  balance_initial_acceleration(const SolidModel<dim>                &solid,
-                               const std::vector<ContactPoint<dim>> &points,
-                               const std::vector<double> &coefficients,
-                               EffectiveSystem<dim>      &system,
-                               State                     &state);
+  balance_initial_acceleration(
+    const SolidModel<dim>                             &solid,
+    const typename SolidModel<dim>::RedistributedMass &mass,
+    const std::vector<ContactPoint<dim>>              &points,
+    const std::vector<double>                         &coefficients,
+    EffectiveSystem<dim>                              &system,
+    State                                             &state);
 } // namespace Signorini
 
 #endif

@@ -50,6 +50,24 @@ namespace Signorini
     }
   };
 
+  /** How a body moves as a whole. Components that a formulation does not have
+   * are zero. */
+  struct BodyMotion
+  {
+    using Vector3 = std::array<double, 3>;
+
+    Vector3 momentum         = {{0., 0., 0.}}; // sum M V, kg m/s
+    Vector3 angular_momentum = {{0., 0., 0.}}; // sum x x M V, origin, kg m^2/s
+    Vector3 centre           = {{0., 0., 0.}}; // of mass, m
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &momentum &angular_momentum &centre;
+    }
+  };
+
   /**
    * Everything a run knows at one time. A value: it can be copied, thrown away
    * and serialised. A step that is cut goes back to the old one.
@@ -69,6 +87,16 @@ namespace Signorini
     std::vector<double>    gaps;              // g_k of each candidate, m
     double                 contact_debt = 0.; // work still to be returned, J
     EnergyLedger           energy;
+
+    // Nodes without mass, by their first unknown, in ascending order.
+    std::vector<unsigned int> massless_nodes;
+
+    // F - F_int of nodes that lost their mass at the start of the step, N. It
+    // went with their mass. Empty at the end of a step.
+    dealii::Vector<double> handed_over;
+
+    // Of the bodies and of the free rigid bodies, in a dynamic run.
+    std::vector<BodyMotion> motions;
 
     // Slip of each candidate since it closed (m), its rate over the last step
     // (m/s), and whether it slipped in that step.
@@ -90,6 +118,7 @@ namespace Signorini
       archive                                     &history;
       archive &contact_forces.normal  &contact_forces.tangential;
       archive &gaps &contact_debt     &energy;
+      archive &massless_nodes         &motions;
       archive &slips &slip_rates      &is_slipping;
       archive &n_iterations &residual &kkt_residual;
     }

@@ -67,6 +67,10 @@ namespace Signorini
     write_interface(const std::string &path, Log &log) const;
 
   private:
+    // That a static step finds under the loads at t = 0.
+    State
+    equilibrium() const;
+
     // Takes the velocity from the bodies and returns their kinetic energy, J.
     double
     stop_bodies(State &state) const;

@@ -3,32 +3,26 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/output/timings.h>
+#include <signorini/simulation/contact_inertia.h>
 #include <signorini/simulation/effective_system.h>
 #include <signorini/simulation/state.h>
+#include <signorini/simulation/step_failed.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/step.h>
 #include <signorini/time/time_parameters.h>
 #include <signorini/variational_inequality/algorithm_parameters.h>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace Signorini
 {
-  /** A step that did not converge; a smaller one may. */
-  class StepFailed : public std::runtime_error
-  {
-  public:
-    using std::runtime_error::runtime_error;
-  };
-
   /**
    * One step of generalized-alpha with contact: the iteration of theory.md,
    * section 5, on the condensed interface of section 6.
    *
-   * Candidate nodes without mass take part in the balance at the end of the
-   * step only: their old forces carry no history, and the multiplier of the
+   * Nodes in contact have no mass, and take part in the balance at the end of
+   * the step only: their old forces carry no history, and the multiplier of the
    * interface problem is (1 - alpha_H) times their contact force. Free rigid
    * bodies, which have mass, are then integrated with the spectral radius 0, in
    * rows that are scaled for the same multiplier:
@@ -54,10 +48,12 @@ namespace Signorini
     /**
      * The state at t = 0+: loads act already, and the accelerations are those
      * that balance them. Nodes without mass move to where they are in balance.
+     * @param history what all points remember
      */
     State
     initial_state(const dealii::Vector<double> &displacement,
-                  const dealii::Vector<double> &velocity);
+                  const dealii::Vector<double> &velocity,
+                  const std::vector<double>    &history);
 
     /**
      * The state at the end of the step, which begins where the old state is.
@@ -121,11 +117,14 @@ namespace Signorini
     InterfaceForces
     approach_contact(const double time, State &start);
 
-    // The step itself, from forces to begin with.
-    State
+    // Iterates until the state one step later is found, from forces to begin
+    // with. Returns nodes with mass that come into contact in the step: then it
+    // must be made without their mass, and @p state is of no use.
+    std::vector<unsigned int>
     iterate(const State           &old_state,
             const Step            &step,
-            const InterfaceForces &first_forces);
+            const InterfaceForces &first_forces,
+            State                 &state);
 
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
@@ -164,7 +163,7 @@ namespace Signorini
 
     // Without contact forces.
     dealii::Vector<double>
-    residual(const State &old_state, const State &state) const;
+    residual(const State &old_state, const State &state);
 
     // Sets state.residual: the largest unbalanced force beyond rounding over
     // the largest force.
@@ -243,6 +242,9 @@ namespace Signorini
            const Iterate                        &iterate,
            State                                &state);
 
+    void
+    measure_motion(State &state);
+
     const SolidModel<dim>   &solid_;
     const ContactModel<dim> &contact_;
     Settings                 settings_;
@@ -251,6 +253,7 @@ namespace Signorini
     double                   multiplier_factor_;
     GeneralizedAlpha         rigid_scheme_;
     double                   rigid_share_; // 1 over the scale of their rows
+    ContactInertia<dim>      inertia_;
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;   // of a node, kg
     double largest_stiffness_; // of a node, N/m

@@ -13,30 +13,24 @@
 
 namespace Signorini
 {
-  /** Where the mass of nodes that may come into contact goes. */
+  /** Where the mass of nodes that come into contact goes. */
   enum class ContactMass
   {
-    consistent,    // it stays
-    redistributed, // to the nearest inner nodes
-    affine         // to inner nodes in two layers, such that affine velocity
-                   // fields keep their kinetic energy
+    consistent,   // it stays
+    redistributed // to inner nodes
   };
 
   /**
-   * Takes the inertia off the nodes that may come into contact. Their velocity
-   * is a mean or an extrapolation of inner nodes, v_c = sum_j w_cj v_j, so that
-   * with P the matrix that puts it in place the mass matrix becomes
+   * Takes the inertia off nodes that come into contact (cf. Khenous, Laborde &
+   * Renard 2008; Hager & Wohlmuth 2008). With m the lumped mass of such a node
+   * c, what its row and column of the mass matrix M lose goes to the diagonal
+   * of its nearest inner neighbours, so that the pattern of M stays. What this
+   * changes in the moments of mass, keep_moments() mends.
    *
-   *   M_r = P^T M P,
-   *
-   * which is symmetric, has no entries at the contact nodes and is positive
-   * definite on the others. Constants are reproduced always: total mass and
-   * linear momentum are those of M. The affine weights reproduce linear
-   * functions too, hence centre of mass and moments of inertia are kept
-   * (cf. Khenous, Laborde & Renard 2008; Hager & Wohlmuth 2008); but they put
-   * three times the mass of a row of nodes on the second one, against which
-   * waves rattle: the contact force of a bar that meets a wall rings for 62
-   * steps instead of 8.
+   * The velocity of a massless node is an extrapolation of inner nodes,
+   * v_c = sum_j w_cj v_j or v <- P v, exact for affine fields such as a
+   * rotation. Where inner nodes do not span the space it is their mean.
+   * Dampings become P^T C P.
    */
   class MassRedistribution
   {
@@ -47,7 +41,6 @@ namespace Signorini
     /**
      * Finds the weights of the contact nodes of a body.
      *
-     * @param kind          redistributed or affine
      * @param contact_nodes nodes that lose their mass
      * @param is_fixed      unknowns of given motion, which keep their mass
      * @param is_hanging    unknowns of hanging nodes, which take no mass
@@ -55,8 +48,7 @@ namespace Signorini
      */
     template <int dim>
     void
-    add(const ContactMass             kind,
-        const Body<dim>              &body,
+    add(const Body<dim>              &body,
         const std::vector<Node<dim>> &contact_nodes,
         const std::vector<bool>      &is_fixed,
         const std::vector<bool>      &is_hanging);
@@ -82,6 +74,10 @@ namespace Signorini
     congruence(const dealii::SparseMatrix<double> &matrix,
                dealii::SparseMatrix<double>       &result) const;
 
+    /** Moves the mass: clears the rows and columns of the massless unknowns. */
+    void
+    move_mass(dealii::SparseMatrix<double> &mass) const;
+
     /** v <- P v: the massless nodes follow their neighbours. */
     void
     extrapolate(dealii::Vector<double> &vector) const;
@@ -90,8 +86,14 @@ namespace Signorini
     void
     clear_massless(dealii::Vector<double> &vector) const;
 
+    /** f <- P^T f at the unknown of a massless node: the force goes to the
+     * nodes that carry its mass. */
+    void
+    hand_over(const unsigned int massless, dealii::Vector<double> &force) const;
+
   private:
-    std::map<unsigned int, Row> rows_;
+    std::map<unsigned int, Row> rows_;      // P
+    std::map<unsigned int, Row> receivers_; // of mass, with their shares
   };
 } // namespace Signorini
 

@@ -43,8 +43,17 @@ namespace Signorini
       bool        lumped       = false;
       ContactMass contact_mass = ContactMass::consistent;
 
-      // One list a body, of the nodes that may come into contact.
+      // One list a body, of the nodes that may come into contact: each must
+      // have inner nodes around it, and none is damped itself.
       std::vector<std::vector<Node<dim>>> contact_nodes;
+    };
+
+    /** The mass matrix when some nodes have lost their mass. */
+    struct RedistributedMass
+    {
+      dealii::SparseMatrix<double> matrix;
+      MassRedistribution           redistribution;
+      std::vector<std::string>     changed_bodies; // in a moment of mass
     };
 
     /** @param lumped unknowns, counted after those of the bodies */
@@ -138,11 +147,17 @@ namespace Signorini
       return stiffness_;
     }
 
+    /** M, with the mass of all nodes. */
     const dealii::SparseMatrix<double> &
     mass() const
     {
       return mass_;
     }
+
+    /** The same without the mass of some nodes, given by their first unknown:
+     * mass, centre and moments of inertia of each body are kept. */
+    std::unique_ptr<const RedistributedMass>
+    redistribute_mass(const std::vector<unsigned int> &massless_nodes) const;
 
     /** a M + b K and the dashpots of absorbing boundaries; empty when no body
      * is damped. */
@@ -156,12 +171,6 @@ namespace Signorini
     is_damped() const
     {
       return !damping_.empty();
-    }
-
-    const MassRedistribution &
-    mass_redistribution() const
-    {
-      return redistribution_;
     }
 
     /**
@@ -243,6 +252,8 @@ namespace Signorini
   private:
     void
     build_sparsity();
+    bool
+    has_damping() const;
     void
     assemble_inertia(const Inertia &inertia);
     void
@@ -262,7 +273,7 @@ namespace Signorini
     std::vector<bool>                 is_hanging_;
     std::vector<bool>                 is_given_;
     std::vector<bool>                 is_fixed_;
-    MassRedistribution                redistribution_;
+    MassRedistribution                undamped_; // all that may touch
     dealii::SparsityPattern           sparsity_;
     dealii::SparseMatrix<double>      stiffness_;
     dealii::Vector<double>            cell_size_; // around each unknown, m

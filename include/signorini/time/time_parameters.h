@@ -21,16 +21,24 @@ namespace Signorini
     damped // in motion, which is stopped whenever its energy begins to fall
   };
 
+  /** What a dynamic run starts from. */
+  enum class InitialState
+  {
+    as_given, // the initial displacements, which need not be in balance
+    still     // the static equilibrium under the loads at t = 0
+  };
+
   /** The section `Time` of the .prm: what is integrated, and how. */
   struct TimeParameters
   {
     bool             dynamic          = true;
+    InitialState     initial_state    = InitialState::as_given;
     FinalRelaxation  final_relaxation = FinalRelaxation::none;
     double           end_time;  // s
     double           step_size; // s
     StepControl      step_control;
     GeneralizedAlpha scheme;
-    std::string      contact_mass; // consistent | redistributed | affine
+    std::string      contact_mass; // consistent | redistributed
     bool             return_contact_work;
     bool             lump_mass;
     unsigned int     maximal_iterations;

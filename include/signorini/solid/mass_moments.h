@@ -1,0 +1,37 @@
+#ifndef signorini_solid_mass_moments_h
+#define signorini_solid_mass_moments_h
+
+#include <signorini/solid/body.h>
+#include <signorini/solid/mass_redistribution.h>
+
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace Signorini
+{
+  /**
+   * Changes a redistributed mass matrix M_r so that every velocity field that
+   * is affine in the place has the kinetic energy that it has with the original
+   * M: then mass, centre of mass and moments of inertia are kept, also when the
+   * body turns and stretches. Each entry is multiplied by
+   *
+   *   1 + (q(X_i) + q(X_j))/2,
+   *
+   * q the polynomial of second order for which a^T M_r b = a^T M b holds for
+   * all a, b among the functions 1, X_c: the change of density that is least,
+   * relative to the density, in the mean of its square. It is smooth, so that
+   * no wave is reflected, and of second order in the size of the cells.
+   *
+   * Where too few nodes have mass to bear all moments at positive masses (a
+   * body of one layer of cells), q is bounded; the mass is always kept.
+   *
+   * @return false if a moment was not kept.
+   */
+  template <int dim>
+  bool
+  keep_moments(const Body<dim>                    &body,
+               const dealii::SparseMatrix<double> &original,
+               const MassRedistribution           &redistribution,
+               dealii::SparseMatrix<double>       &mass);
+} // namespace Signorini
+
+#endif

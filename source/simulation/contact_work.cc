@@ -1,0 +1,180 @@
+#include <signorini/simulation/contact_work.h>
+#include <signorini/simulation/step_failed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // lambda_n + lambda_np, along the normals only: friction has done its work.
+    InterfaceForces
+    normal_forces(const State &old_state, const State &state)
+    {
+      InterfaceForces forces(state.contact_forces.normal);
+      for (unsigned int k = 0; k < forces.normal.size(); ++k)
+        forces.normal[k] += old_state.contact_forces.normal[k];
+      return forces;
+    }
+
+    // Work sum_k (lambda_n + lambda_np)/2 (g_np - g_n) of a step, J.
+    double
+    spurious_contact_work(const State           &old_state,
+                          const State           &state,
+                          const InterfaceForces &forces)
+    {
+      double work = 0.;
+      for (unsigned int k = 0; k < state.gaps.size(); ++k)
+        {
+          const double force = forces.normal[k];
+          // A gap out of reach is infinite.
+          if (force != 0. && std::isfinite(state.gaps[k] - old_state.gaps[k]))
+            work += 0.5 * force * (state.gaps[k] - old_state.gaps[k]);
+        }
+      return work;
+    }
+    // Energy sum_c F_c ((P dU)_c - dU_c)/2 that a step makes since a node c
+    // lost its mass: the trapezoidal rule lets the force F_c that it had at the
+    // start of the step act where its mass is, while it goes another way, dU_c.
+    double
+    work_of_landing(const MassRedistribution &redistribution,
+                    const State              &old_state,
+                    const State              &state)
+    {
+      if (old_state.handed_over.size() == 0)
+        return 0.;
+      Vector<double> motion(state.displacement);
+      motion -= old_state.displacement;
+      Vector<double> carried(motion);
+      redistribution.extrapolate(carried);
+      return 0.5 *
+             (old_state.handed_over * carried - old_state.handed_over * motion);
+    }
+
+    // The part of the ledger's work of contact that is none: of forces between
+    // bodies all of it, since they are pairs; of a target with a given motion
+    // what is not done by that motion.
+    template <int dim>
+    double
+    undue_work(const ContactModel<dim>              &contact,
+               const State                          &old_state,
+               const State                          &state,
+               const InterfaceForces                &forces,
+               const std::vector<ContactPoint<dim>> &points)
+    {
+      Vector<double> motion(state.displacement);
+      motion -= old_state.displacement;
+      double work = 0.;
+      for (const auto &pair : contact.pairs())
+        for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+          {
+            const unsigned int k = pair.first_contact + n;
+            if (forces.normal[k] == 0.)
+              continue;
+            const double change = state.gaps[k] - old_state.gaps[k];
+            const bool   is_given =
+              pair.target->unknowns().empty() && std::isfinite(change);
+            work += 0.5 * forces.normal[k] *
+                    (is_given ? change : points[k].gap_gradient.dot(motion));
+          }
+      return work;
+    }
+
+    // Of all energy that was or is: less is the fluctuation of the scheme from
+    // step to step.
+    constexpr double largest_gain = 1e-2;
+
+    [[noreturn]] void
+    throw_gain(const double gain, const double energy)
+    {
+      std::ostringstream message;
+      message << "contacts that open or close in the step make " << gain
+              << " J of " << energy
+              << " J: the step is too long for the impact";
+      throw StepFailed(message.str());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  return_contact_work(const ContactModel<dim> &contact,
+                      const typename SolidModel<dim>::RedistributedMass &mass,
+                      const State                          &old_state,
+                      const std::vector<ContactPoint<dim>> &points,
+                      EffectiveSystem<dim>                 &system,
+                      State                                &state)
+  {
+    const InterfaceForces forces = normal_forces(old_state, state);
+    const double spurious = spurious_contact_work(old_state, state, forces);
+    const double debt     = old_state.contact_debt - spurious -
+                        work_of_landing(mass.redistribution, old_state, state);
+    state.contact_debt = debt;
+
+    // Rounding is no work.
+    const double energy = old_state.energy.kinetic + old_state.energy.stored;
+    if (std::abs(debt) <= 1e-14 * energy)
+      return;
+    const double lost = state.energy.scheme_loss() -
+                        old_state.energy.scheme_loss() -
+                        undue_work(contact, old_state, state, forces, points);
+    const double wanted = std::min(debt, lost);
+
+    Vector<double> force(state.velocity.size());
+    contact.add_contact_forces(points, forces, 1., force);
+    if (force.all_zero())
+      return;
+    Vector<double> direction = system.respond(force);
+    mass.redistribution.extrapolate(direction);
+
+    Vector<double> momentum(direction.size());
+    mass.matrix.vmult(momentum, direction);
+    const double a            = 0.5 * (direction * momentum);
+    const double b            = state.velocity * momentum;
+    const double discriminant = b * b + 4. * a * wanted;
+    if (discriminant >= 0.)
+      {
+        const double s =
+          2. * wanted / (b + std::copysign(std::sqrt(discriminant), b));
+        state.velocity.add(s, direction);
+        state.energy.returned += wanted;
+        state.contact_debt = debt - wanted;
+      }
+    else
+      {
+        // All that motion along the contact forces has.
+        const double least = -0.25 * b * b / a;
+        state.velocity.add(-0.5 * b / a, direction);
+        state.energy.returned += least;
+        state.contact_debt = debt - least;
+        const double gain  = least - lost;
+        const double all =
+          energy + old_state.energy.plastic + old_state.energy.damping +
+          old_state.energy.friction + std::abs(old_state.energy.scheme_loss());
+        if (gain > largest_gain * all)
+          throw_gain(gain, all);
+      }
+  }
+
+
+
+  template void
+  return_contact_work(const ContactModel<2> &,
+                      const SolidModel<2>::RedistributedMass &,
+                      const State &,
+                      const std::vector<ContactPoint<2>> &,
+                      EffectiveSystem<2> &,
+                      State &);
+  template void
+  return_contact_work(const ContactModel<3> &,
+                      const SolidModel<3>::RedistributedMass &,
+                      const State &,
+                      const std::vector<ContactPoint<3>> &,
+                      EffectiveSystem<3> &,
+                      State &);
+} // namespace Signorini
