@@ -2,7 +2,6 @@
 #include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/initial_acceleration.h>
 #include <signorini/simulation/momentum.h>
-#include <signorini/simulation/rigid_mechanism.h>
 #include <signorini/simulation/slip.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
@@ -130,6 +129,7 @@ namespace Signorini
     , has_free_modes_(!settings.time.dynamic &&
                       !solid.free_modes(Vector<double>(solid.n_dofs())).empty())
     , approach_(0.)
+    , failed_step_(0)
     , section_residual_(timings.add("residual and energy"))
     , section_assembly_(solid.is_linear() ? section_residual_ :
                                             timings.add("assembly"))
@@ -210,46 +210,22 @@ namespace Signorini
     auto  forces = old_state.contact_forces;
     if (has_free_modes_)
       forces = approach_contact(step.end(), start);
-    while (true)
+    try
       {
-        State      state  = start;
-        const auto landed = iterate(start, step, forces, state);
-        if (landed.empty())
-          return state;
-        start = inertia_.take_mass(start, landed);
+        while (true)
+          {
+            State      state  = start;
+            const auto landed = iterate(start, step, forces, state);
+            if (landed.empty())
+              return state;
+            start = inertia_.take_mass(start, landed);
+          }
       }
-  }
-
-
-
-  template <int dim>
-  InterfaceForces
-  TimeStep<dim>::approach_contact(const double time, State &start)
-  {
-    const auto     timing = timings_.measure(section_contact_);
-    Vector<double> displacement(start.displacement);
-    solid_.apply_supports(time, displacement);
-    std::vector<Vector<double>> modes;
-    for (auto &mode : solid_.free_modes(displacement))
-      modes.push_back(std::move(mode.motion));
-    const RigidMechanism<dim> mechanism(
-      contact_, modes, solid_.external_force(time, displacement));
-    const auto approach = mechanism.approach(displacement, time);
-    if (!approach.is_balanced)
-      return start.contact_forces;
-    const auto &old_forces = start.contact_forces.normal;
-    const bool  is_held =
-      std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
-        return force > 0.;
-      });
-    approach_ = approach.way.linfty_norm();
-    if (approach_ == 0.)
-      return is_held ? start.contact_forces : approach.forces;
-    start.displacement += approach.way;
-    const auto points = contact_.evaluate({start.displacement, start.time});
-    for (unsigned int k = 0; k < points.size(); ++k)
-      start.gaps[k] = points[k].gap;
-    return approach.forces;
+    catch (const StepFailed &)
+      {
+        failed_step_ = step.number;
+        throw;
+      }
   }
 
 
@@ -267,15 +243,7 @@ namespace Signorini
     if (settings_.time.dynamic)
       system_.use_mass(inertia_.mass(old_state).matrix,
                        old_state.massless_nodes.empty());
-    state.step         = step.number;
-    state.time         = step.end();
-    state.n_iterations = 0;
-    state.external_force =
-      solid_.external_force(state.time, state.displacement);
-    if (!solid_.is_linear())
-      respond(old_state, step.size, state); // for the tangent
-    if (!solid_.supports_are_fixed())
-      move_supports(old_state, step.size, state);
+    begin(old_state, step, state);
     const std::string held =
       contact_.held_penetration({state.displacement, state.time});
     if (!held.empty())
@@ -373,26 +341,27 @@ namespace Signorini
     factorise(step_size, state);
     try
       {
-        auto correction = system_.correct(residual,
+        auto correction    = system_.correct(residual,
                                           points,
                                           iterate.multipliers,
                                           iterate.coefficients);
-        state.displacement += correction.motion;
         state.kkt_residual = correction.kkt_residual;
         if (!correction.fallback_contacts.empty())
           fallbacks_ =
             contact_.candidates_in_words(correction.fallback_contacts);
         ++state.n_iterations;
-        respond(old_state, step_size, state);
+        InterfaceForces forces = iterate.multipliers;
+        const double    share =
+          follow(old_state, step_size, correction, forces, state);
         const double change = relative_force_change(step_size,
                                                     state,
                                                     iterate.multipliers,
                                                     correction.multipliers);
-        return {std::move(correction.multipliers),
+        return {std::move(forces),
                 std::move(correction.is_slipping),
                 iterate.coefficients,
                 change,
-                correction.motion.linfty_norm()};
+                share * correction.motion.linfty_norm()};
       }
     catch (const InterfaceError &error)
       {
@@ -453,6 +422,12 @@ namespace Signorini
         return_contact_work(
           contact_, inertia_.mass(state), old_state, points, system_, state);
         measure_motion(state);
+      }
+    if (solid_.mass().empty())
+      {
+        state.velocity = state.displacement;
+        state.velocity -= old_state.displacement;
+        state.velocity /= step_size;
       }
     state.handed_over.reinit(0);
   }

@@ -197,6 +197,53 @@ BOOST_AUTO_TEST_CASE(zero_problems)
 
 
 
+BOOST_AUTO_TEST_CASE(nothing_touches_and_nothing_moves)
+{
+  // A tool slides by above, with friction: its slip is no slip of a contact.
+  InterfaceReference::Data data{FullMatrix<double>(2, 2),
+                                Vector<double>(2),
+                                {{{{1, -1.}}, 0.5, {{{0, 1.}}}}}};
+  data.stiffness(0, 0) = data.stiffness(1, 1) = 1.;
+  data.contacts[0].friction_coefficient       = 0.3;
+  data.contacts[0].slip                       = {{0.1, 0.}};
+  InterfaceSolution nothing;
+  nothing.displacement.reinit(2);
+  nothing.forces     = InterfaceForces(1);
+  const auto at_rest = InterfaceReference::make_problem(data);
+  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() == 0.);
+
+  // Friction without pressure is still wrong.
+  nothing.forces.tangential[0][0] = 1.;
+  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() >= 1.);
+}
+
+
+
+BOOST_AUTO_TEST_CASE(rounding_is_no_violation)
+{
+  // A gap of which nothing is known but that it is within 1e-16 m of zero.
+  InterfaceReference::Data data{FullMatrix<double>(1, 1),
+                                Vector<double>(1),
+                                {{{{0, -1.}}, -5e-17}}};
+  data.stiffness(0, 0) = 1.;
+  InterfaceSolution nothing;
+  nothing.displacement.reinit(1);
+  nothing.forces = InterfaceForces(1);
+  BOOST_TEST(
+    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
+      .norm() >= 1.);
+  data.contacts[0].rounding = 1e-16;
+  BOOST_TEST(
+    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
+      .norm() == 0.);
+  data.contacts[0].gap = -5e-16;
+  BOOST_TEST(
+    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
+      .norm() > 0.5);
+}
+
+
+
 BOOST_AUTO_TEST_CASE(not_a_number)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

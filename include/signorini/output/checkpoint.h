@@ -37,7 +37,7 @@ namespace Signorini
 
     // While meshes are being found: an archive of what is known of them; there
     // is no run yet.
-    std::string meshes;
+    std::string meshes = {};
 
     template <class Archive>
     void

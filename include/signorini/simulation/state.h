@@ -77,7 +77,7 @@ namespace Signorini
     double                 time = 0.; // s
     unsigned int           step = 0;
     dealii::Vector<double> displacement;      // U, m
-    dealii::Vector<double> velocity;          // V, m/s
+    dealii::Vector<double> velocity;          // V, m/s; static: of the step
     dealii::Vector<double> acceleration;      // A, m/s^2
     dealii::Vector<double> internal_force;    // F_int(U), N
     dealii::Vector<double> external_force;    // F(t), N

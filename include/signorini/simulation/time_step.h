@@ -126,6 +126,24 @@ namespace Signorini
             const InterfaceForces &first_forces,
             State                 &state);
 
+    // Where the iteration begins: loads, given motions, and in a static step
+    // of what is not linear the way that the last one took.
+    void
+    begin(const State &old_state, const Step &step, State &state);
+
+    // The last increment once more. False if there is none that would do.
+    bool
+    predict(const State &old_state, const Step &step, State &state);
+
+    // Goes along a correction as far as the bodies can follow without a
+    // failure, and returns the share of it; forces go the same share.
+    double
+    follow(const State                                     &old_state,
+           const double                                     step_size,
+           const typename EffectiveSystem<dim>::Correction &correction,
+           InterfaceForces                                 &forces,
+           State                                           &state);
+
     typename EffectiveSystem<dim>::Factors
     effective_factors(const double step_size) const;
 
@@ -255,11 +273,12 @@ namespace Signorini
     double                   rigid_share_; // 1 over the scale of their rows
     ContactInertia<dim>      inertia_;
     EffectiveSystem<dim>     system_;
-    double                   largest_mass_;   // of a node, kg
-    double largest_stiffness_; // of a node, N/m
-    double                   extent_;         // of all bodies, m
-    bool                     has_free_modes_; // static: contact holds bodies
-    double                   approach_;       // before the last step, m
+    double                   largest_mass_;      // of a node, kg
+    double                   largest_stiffness_; // of a node, N/m
+    double                   extent_;            // of all bodies, m
+    bool                     has_free_modes_;    // static: contact holds bodies
+    double                   approach_;          // before the last step, m
+    unsigned int             failed_step_;       // the last that failed
     std::string              fallbacks_;
     std::string              indefinite_at_;
     std::vector<double>      residuals_;
