@@ -76,6 +76,9 @@ namespace Signorini
   {
     const auto timing = timings_.measure(section_residual_);
     contact_.add_contact_forces(points, multipliers, 1., residual);
+    for (unsigned int i = 0; i < largest_displacement_.size(); ++i)
+      largest_displacement_[i] =
+        std::max(largest_displacement_[i], std::abs(state.displacement[i]));
     const double scale   = force_scale(state, multipliers);
     double       largest = 0.;
     for (unsigned int i = 0; i < residual.size(); ++i)
@@ -85,7 +88,7 @@ namespace Signorini
     if (state.n_iterations > 0 &&
         largest > settings_.time.residual_tolerance * scale)
       {
-        const Vector<double> rounding = force_rounding(step_size, state);
+        const Vector<double> rounding = force_rounding(step_size);
         largest                       = 0.;
         for (unsigned int i = 0; i < residual.size(); ++i)
           if (!solid_.is_fixed()[i] && residual[i] != 0.)
@@ -104,16 +107,18 @@ namespace Signorini
 
   template <int dim>
   Vector<double>
-  TimeStep<dim>::force_rounding(const double step_size,
-                                const State &state) const
+  TimeStep<dim>::force_rounding(const double step_size) const
   {
-    Vector<double> rounding = solid_.force_rounding(state.displacement);
+    Vector<double> rounding = solid_.force_rounding(largest_displacement_);
     if (!settings_.time.dynamic)
       return rounding;
     // Accelerations are differences of displacements, over the square of time.
     const double factor = std::numeric_limits<double>::epsilon() *
                           effective_factors(step_size).mass;
-    add_absolute_product(solid_.mass(), state.displacement, factor, rounding);
+    add_absolute_product(solid_.mass(),
+                         largest_displacement_,
+                         factor,
+                         rounding);
     return rounding;
   }
 
@@ -148,7 +153,7 @@ namespace Signorini
       return change / largest;
     // Of a touch without pressure forces are rounding, and never settle: that
     // of the bodies, or what presses a gap as wide as rounding.
-    const double rounding = force_rounding(step_size, state).linfty_norm() +
+    const double rounding = force_rounding(step_size).linfty_norm() +
                             largest_stiffness_ * contact_.rounding();
     const double negligible = std::max(settings_.time.residual_tolerance *
                                          force_scale(state, multipliers),
@@ -285,7 +290,7 @@ namespace Signorini
                                const InterfaceForces &,
                                State &);
   template Vector<double>
-  TimeStep<2>::force_rounding(const double, const State &) const;
+  TimeStep<2>::force_rounding(const double) const;
   template double
   TimeStep<2>::force_scale(const State &, const InterfaceForces &) const;
   template double
@@ -314,7 +319,7 @@ namespace Signorini
                                const InterfaceForces &,
                                State &);
   template Vector<double>
-  TimeStep<3>::force_rounding(const double, const State &) const;
+  TimeStep<3>::force_rounding(const double) const;
   template double
   TimeStep<3>::force_scale(const State &, const InterfaceForces &) const;
   template double

@@ -70,6 +70,9 @@ namespace Signorini
     state.step         = step.number;
     state.time         = step.end();
     state.n_iterations = 0;
+    largest_displacement_.reinit(state.displacement.size());
+    for (unsigned int i = 0; i < state.displacement.size(); ++i)
+      largest_displacement_[i] = std::abs(state.displacement[i]);
     state.external_force =
       solid_.external_force(state.time, state.displacement);
     if (!solid_.is_linear() && !predict(old_state, step, state))

@@ -192,9 +192,9 @@ namespace Signorini
                     const InterfaceForces                &multipliers,
                     State                                &state);
 
-    // To what the forces of a state are known, N.
+    // To what the forces of an iterate are known, N.
     dealii::Vector<double>
-    force_rounding(const double step_size, const State &state) const;
+    force_rounding(const double step_size) const;
 
     // The largest force, N.
     double
@@ -282,7 +282,11 @@ namespace Signorini
     std::string              fallbacks_;
     std::string              indefinite_at_;
     std::vector<double>      residuals_;
-    double                   rounding_multiple_; // largest residual, 1
+
+    // Absolute, of each unknown, since the step began, m: what corrections are
+    // rounded against.
+    dealii::Vector<double> largest_displacement_;
+    double                 rounding_multiple_; // largest residual, 1
 
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;
