@@ -39,7 +39,7 @@ namespace
 
 BOOST_AUTO_TEST_CASE(of_an_even_gradient)
 {
-  for (const std::string &degree : {"1", "2"})
+  for (const std::string degree : {"1", "2"})
     {
       // Stretch by 0.1 and -0.2 in axes turned by 45 degrees, and a rotation.
       const double rotation = 0.15;
