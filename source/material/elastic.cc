@@ -45,7 +45,8 @@ namespace Signorini
       throw InputError("Poisson's ratio: must lie between -1 and "
                        "0.5, both excluded, found " +
                        prm.get("Poisson's ratio") +
-                       ". For a nearly incompressible material take 0.499.");
+                       ". For a nearly incompressible material take 0.4999; "
+                       "elements do not lock with Dilatation = automatic.");
     return from(youngs_modulus, poissons_ratio);
   }
 

@@ -1,3 +1,4 @@
+#include <signorini/contact/contact_pressures.h>
 #include <signorini/named_list.h>
 #include <signorini/simulation/history_columns.h>
 
@@ -43,11 +44,14 @@ namespace Signorini
     {
       PairResult<dim> result;
       double          total_force = 0., total_area = 0.;
+      const auto      pressures =
+        contact_pressures(pair, points, state.contact_forces.normal);
       for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
         {
           const unsigned int k     = pair.first_contact + n;
           const double       force = state.contact_forces.normal[k];
           result.gap_min           = std::min(result.gap_min, state.gaps[k]);
+          result.pressure_max = std::max(result.pressure_max, pressures[n]);
           if (force <= 0.)
             continue;
           ++result.n_contacts;
@@ -55,8 +59,6 @@ namespace Signorini
           result.force += contact_force(points[k], state.contact_forces, k);
           total_force += force;
           total_area += points[k].area;
-          result.pressure_max =
-            std::max(result.pressure_max, points[k].pressure(force));
         }
       if (total_area > 0.)
         result.pressure_mean = total_force / total_area;

@@ -1,3 +1,4 @@
+#include <signorini/contact/contact_pressures.h>
 #include <signorini/named_list.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/surface_table.h>
@@ -241,7 +242,9 @@ namespace Signorini
   SurfaceData<dim>
   ResultFields<dim>::surface_data(const ContactPair<dim> &pair) const
   {
-    const auto                 &points = contact_points();
+    const auto &points = contact_points();
+    const auto  pressures =
+      contact_pressures(pair, points, state_->contact_forces.normal);
     SurfaceData<dim>            data;
     std::vector<double>         gap, pressure, shear, slip, status;
     std::vector<Tensor<1, dim>> traction, normal, displacement;
@@ -249,7 +252,7 @@ namespace Signorini
       {
         const unsigned int k    = pair.first_contact + n;
         const auto        &node = pair.contactor.nodes[n];
-        const double p = points[k].pressure(state_->contact_forces.normal[k]);
+        const double       p    = pressures[n];
         data.nodes.push_back(node.point);
         // Out of reach there is no gap to show.
         gap.push_back(std::isfinite(state_->gaps[k]) ?

@@ -6,6 +6,7 @@
 #include <signorini/simulation/adaptive_run.h>
 #include <signorini/simulation/input_record.h>
 #include <signorini/simulation/mesh_adaptation.h>
+#include <signorini/simulation/mesh_warnings.h>
 #include <signorini/simulation/overclosure.h>
 #include <signorini/simulation/parameter_file.h>
 #include <signorini/simulation/problem.h>
@@ -40,7 +41,8 @@ namespace Signorini
         text << "body " << part.body->name() << ": "
              << part.body->mesh().triangulation->n_active_cells() << " cells, "
              << part.body->n_dofs() << " unknowns\n";
-      text << describe_pairs(*problem.contact, problem.initial_displacement);
+      text << describe_pairs(*problem.contact, problem.initial_displacement)
+           << mesh_warnings(problem);
       if (problem.time.dynamic)
         text << "time integration: alpha_B " << problem.time.scheme.alpha_B
              << ", alpha_H " << problem.time.scheme.alpha_H << ", beta "

@@ -49,6 +49,8 @@ namespace Signorini
   Simulation<dim>::Simulation(const Problem<dim> &problem, Timings &timings)
     : problem_(problem)
     , timings_(timings)
+    , overlap_watch_(problem)
+    , small_strain_watch_(*problem.solid)
     , driver_(problem, timings)
     , plan_(problem.time.step_control,
             problem.time.end_time,
@@ -111,6 +113,7 @@ namespace Signorini
     if (!is_saved && (!is_complete || !checkpoint_clock_.is_off()))
       is_saved = save(task, files, log);
     finish(task, files);
+    look_for_overlaps();
     summarise(log);
     if (is_complete)
       check(log);
@@ -187,6 +190,7 @@ namespace Signorini
     if (!plan_.completes_regular_step(state.time, record_.n_regular))
       {
         record(false, files);
+        look_for_large_strains(log);
         return;
       }
     ++record_.n_regular;
@@ -200,6 +204,7 @@ namespace Signorini
                                           old_time,
                                           state.time),
            files);
+    look_for_large_strains(log);
     show_progress(log);
   }
 
@@ -234,11 +239,14 @@ namespace Signorini
   void
   Simulation<dim>::record(const bool with_fields, Files &files)
   {
-    const auto timing = timings_.measure("output");
-    append_history_row(problem_, record_.state, record_.history);
+    const auto   timing = timings_.measure("output");
+    const State &state  = record_.state;
+    append_history_row(problem_, state, record_.history);
     files.history->write_new_rows(record_.history);
     if (with_fields)
       write_fields(files);
+    if (with_fields || overlap_watch_.is_due({state.displacement, state.time}))
+      look_for_overlaps();
   }
 
 
@@ -254,6 +262,31 @@ namespace Signorini
     if (problem_.output.keeps_displacements)
       fields_.write(files.displacements);
     record_.step_of_fields = record_.state.step;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::look_for_overlaps()
+  {
+    const State &state = record_.state;
+    overlap_watch_.refuse({state.displacement, state.time},
+                          state.contact_forces.normal,
+                          state.gaps);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::look_for_large_strains(Log &log)
+  {
+    const State      &state = record_.state;
+    const std::string warning =
+      small_strain_watch_.look(state.displacement, state.time);
+    if (!warning.empty())
+      log.line(warning);
   }
 
 
@@ -374,6 +407,9 @@ namespace Signorini
              << largest(pair.name + ".penetration") << " m";
         log.line(line.str());
       }
+    const std::string warning = small_strain_watch_.summary();
+    if (!warning.empty())
+      log.line(warning);
     log.line(timings_.table());
   }
 

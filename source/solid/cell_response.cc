@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "spatial_stress.h"
+
 namespace Signorini
 {
   using namespace dealii;
@@ -36,49 +38,12 @@ namespace Signorini
       return first + 0.5 * (first * first - trace(H * H)) + determinant(H);
     }
 
-    // A stress as a tensor: between the coordinates of the body, and across the
-    // plane or around the axis. In three dimensions there is nothing across.
-    template <int dim, int n_strains>
-    struct SpatialStress
+    [[noreturn]] void
+    throw_inside_out(const double volume_change)
     {
-      explicit SpatialStress(const ReducedStress &reduced)
-        : across(dim == 2 && n_strains == 4 ? reduced[3] : 0.)
-      {
-        constexpr unsigned int n_shear     = dim == 2 ? 1 : 3;
-        constexpr unsigned int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
-        for (unsigned int i = 0; i < dim; ++i)
-          between[i][i] = reduced[i];
-        for (unsigned int k = 0; k < n_shear; ++k)
-          between[pairs[k][0]][pairs[k][1]] =
-            between[pairs[k][1]][pairs[k][0]] = reduced[dim + k];
-      }
-
-      // grad v : stress of the shape function with this gradient, for each
-      // component of v.
-      Tensor<1, dim>
-      power(const Tensor<1, dim> &gradient, const double over_r) const
-      {
-        Tensor<1, dim> result = between * gradient;
-        result[0] += across * over_r;
-        return result;
-      }
-
-      Tensor<2, dim> between;
-      double         across;
-    };
-
-    // tr(grad v grad w) of the component i of one shape function and j of
-    // another.
-    template <int dim>
-    double
-    trace_of_product(const Tensor<1, dim> &g_a,
-                     const double          over_r_a,
-                     const unsigned int    i,
-                     const Tensor<1, dim> &g_b,
-                     const double          over_r_b,
-                     const unsigned int    j)
-    {
-      return g_a[j] * g_b[i] + (i == 0 && j == 0 ? over_r_a * over_r_b : 0.);
+      throw MaterialFailure("the cell is turned inside out: its volume is " +
+                            std::to_string(1. + volume_change) +
+                            " times that at the start");
     }
   } // namespace
 
@@ -98,12 +63,15 @@ namespace Signorini
     , has_mean_dilatation_(body.has_mean_dilatation())
     , points_(n_points)
     , strain_operators_(body.scalar_fe().n_dofs_per_cell())
-    , mean_divergence_(body.scalar_fe().n_dofs_per_cell())
+    , projection_(body.scalar_fe().degree, n_points)
+    , volumes_(n_points)
+    , pressures_(n_points)
   {
     for (DeformedPoint &point : points_)
       {
         point.shape_gradients.resize(body.scalar_fe().n_dofs_per_cell());
         point.over_r.resize(body.scalar_fe().n_dofs_per_cell());
+        point.mean_divergence.resize(body.scalar_fe().n_dofs_per_cell());
       }
   }
 
@@ -119,11 +87,11 @@ namespace Signorini
   {
     stiffness     = 0.;
     force         = 0.;
-    stored_energy = plastic_work = mean_pressure_ = 0.;
+    stored_energy = plastic_work = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
       find_kinematics(values, displacement, q);
     if (has_mean_dilatation_)
-      find_means();
+      find_means(values);
 
     PointResponse response;
     for (const unsigned int q : values.quadrature_point_indices())
@@ -166,7 +134,7 @@ namespace Signorini
         if (is_finite_)
           add_geometric_stiffness(kinematics, response);
         if (is_finite_ && has_mean_dilatation_)
-          add_dilatation_stiffness(kinematics, response);
+          add_dilatation_stiffness(q, response);
       }
     if (with_stiffness && is_finite_ && has_mean_dilatation_ && !point.constant)
       add_mean_divergence_stiffness();
@@ -218,9 +186,7 @@ namespace Signorini
       F[i][i] += 1.;
     kinematics.dilatation = volume_change(kinematics.gradient, kinematics.hoop);
     if (!(kinematics.dilatation > -1.) || !(kinematics.hoop > -1.))
-      throw MaterialFailure("the cell is turned inside out: its volume is " +
-                            std::to_string(1. + kinematics.dilatation) +
-                            " times that at the start");
+      throw_inside_out(kinematics.dilatation);
     const Tensor<2, dim> to_space = transpose(invert(F));
     for (const unsigned int a : values.dof_indices())
       {
@@ -234,28 +200,32 @@ namespace Signorini
 
   template <int dim, int n_strains>
   void
-  CellResponse<dim, n_strains>::find_means()
+  CellResponse<dim, n_strains>::find_means(const FEValues<dim> &values)
   {
-    double volume_before = 0., growth = 0.;
-    volume_ = 0.;
-    std::fill(mean_divergence_.begin(),
-              mean_divergence_.end(),
-              Tensor<1, dim>());
-    for (const DeformedPoint &kinematics : points_)
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      volumes_[q] = points_[q].volume;
+    projection_.reinit(values, volumes_);
+    for (unsigned int q = 0; q < points_.size(); ++q)
       {
-        const double volume =
-          is_finite_ ? kinematics.volume * (1. + kinematics.dilatation) :
-                       kinematics.volume;
-        volume_before += kinematics.volume;
-        growth += kinematics.volume * kinematics.dilatation;
-        volume_ += volume;
-        for (unsigned int a = 0; a < mean_divergence_.size(); ++a)
-          for (unsigned int c = 0; c < dim; ++c)
-            mean_divergence_[a][c] += volume * divergence(kinematics, a, c);
+        DeformedPoint &at  = points_[q];
+        at.mean_dilatation = 0.;
+        for (unsigned int r = 0; r < points_.size(); ++r)
+          at.mean_dilatation += projection_(q, r) * points_[r].dilatation;
+        if (is_finite_ && !(at.mean_dilatation > -1.))
+          throw_inside_out(at.mean_dilatation);
+        std::fill(at.mean_divergence.begin(),
+                  at.mean_divergence.end(),
+                  Tensor<1, dim>());
+        for (unsigned int r = 0; r < points_.size(); ++r)
+          {
+            const DeformedPoint &of = points_[r];
+            const double         weight =
+              projection_(q, r) * volume_ratio(of) / mean_volume_ratio(at);
+            for (unsigned int a = 0; a < at.mean_divergence.size(); ++a)
+              for (unsigned int c = 0; c < dim; ++c)
+                at.mean_divergence[a][c] += weight * divergence(of, a, c);
+          }
       }
-    mean_dilatation_ = growth / volume_before;
-    for (Tensor<1, dim> &divergence : mean_divergence_)
-      divergence /= volume_;
   }
 
 
@@ -268,12 +238,13 @@ namespace Signorini
     double              &thickness_strain) const
   {
     // H_bar = s H + (s - 1) 1 with s = (theta / J)^(1/3).
-    double s_minus_one = (mean_dilatation_ - kinematics.dilatation) / 3.;
+    double s_minus_one =
+      (kinematics.mean_dilatation - kinematics.dilatation) / 3.;
     if (is_finite_)
       {
-        s_minus_one = std::expm1(
-          (std::log1p(mean_dilatation_) - std::log1p(kinematics.dilatation)) /
-          3.);
+        s_minus_one = std::expm1((std::log1p(kinematics.mean_dilatation) -
+                                  std::log1p(kinematics.dilatation)) /
+                                 3.);
         gradient *= 1. + s_minus_one;
         thickness_strain *= 1. + s_minus_one;
       }
@@ -297,8 +268,9 @@ namespace Signorini
         if (has_mean_dilatation_)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double shift =
-                (mean_divergence_[a][c] - divergence(kinematics, a, c)) / 3.;
+              const double shift = (kinematics.mean_divergence[a][c] -
+                                    divergence(kinematics, a, c)) /
+                                   3.;
               for (const unsigned int row : normal_rows<n_strains>())
                 B[row][c] += shift;
             }
@@ -355,20 +327,22 @@ namespace Signorini
   template <int dim, int n_strains>
   void
   CellResponse<dim, n_strains>::add_dilatation_stiffness(
-    const DeformedPoint &kinematics,
+    const unsigned int   q,
     const PointResponse &response)
   {
     // With l = grad du, L = grad Du, alpha = (mean div - div)/3 of du, beta
     // that of Du, p = tr(stress)/3:
     //   2 alpha stress:L + 2 beta stress:l + 6 alpha beta p + p tr(l L).
     const SpatialStress<dim, n_strains> stress(response.stress);
-    const double p = (trace(stress.between) + stress.across) / 3.;
-    mean_pressure_ += kinematics.volume * p;
+    const double         p = (trace(stress.between) + stress.across) / 3.;
+    const DeformedPoint &kinematics = points_[q];
+    pressures_[q]                   = kinematics.volume * p;
 
     const auto &g      = kinematics.shape_gradients;
     const auto &over_r = kinematics.over_r;
     const auto  alpha  = [&](const unsigned int a, const unsigned int c) {
-      return (mean_divergence_[a][c] - divergence(kinematics, a, c)) / 3.;
+      return (kinematics.mean_divergence[a][c] - divergence(kinematics, a, c)) /
+             3.;
     };
     for (unsigned int b = 0; b < g.size(); ++b)
       {
@@ -397,14 +371,18 @@ namespace Signorini
   void
   CellResponse<dim, n_strains>::add_mean_divergence_stiffness()
   {
-    // int p dV times the second derivative of ln theta:
-    //   1/V int (div div - tr(l L)) dv - (mean div)(mean div).
-    for (const DeformedPoint &kinematics : points_)
+    // int p (second derivative of ln theta) dV, with P the projection:
+    //   int p/theta P[J (div div - tr(l L))] - p (mean div)(mean div) dV.
+    for (unsigned int r = 0; r < points_.size(); ++r)
       {
-        const auto  &g      = kinematics.shape_gradients;
-        const auto  &over_r = kinematics.over_r;
-        const double weight = mean_pressure_ * kinematics.volume *
-                              (1. + kinematics.dilatation) / volume_;
+        const DeformedPoint &kinematics = points_[r];
+        const auto          &g          = kinematics.shape_gradients;
+        const auto          &over_r     = kinematics.over_r;
+        const auto          &mean       = kinematics.mean_divergence;
+        double               weight     = 0.;
+        for (unsigned int q = 0; q < points_.size(); ++q)
+          weight += pressures_[q] / mean_volume_ratio(points_[q]) *
+                    projection_(q, r) * volume_ratio(kinematics);
         for (unsigned int b = 0; b < g.size(); ++b)
           for (unsigned int a = b; a < g.size(); ++a)
             for (unsigned int i = 0; i < dim; ++i)
@@ -415,15 +393,10 @@ namespace Signorini
                   stiffness(a * dim + i, b * dim + j) +=
                     weight * (divergence(kinematics, a, i) *
                                 divergence(kinematics, b, j) -
-                              product);
+                              product) -
+                    pressures_[r] * mean[a][i] * mean[b][j];
                 }
       }
-    for (unsigned int b = 0; b < mean_divergence_.size(); ++b)
-      for (unsigned int a = b; a < mean_divergence_.size(); ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            stiffness(a * dim + i, b * dim + j) -=
-              mean_pressure_ * mean_divergence_[a][i] * mean_divergence_[b][j];
   }
 
 

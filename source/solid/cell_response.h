@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "dilatation_projection.h"
 #include "strain_operator.h"
 
 namespace Signorini
@@ -20,10 +21,11 @@ namespace Signorini
    *   f_a  = int B_a^T stress dV,
    *   K_ab = int B_a^T tangent B_b dV + geometric part.
    *
-   * With mean dilatation the volume changes by its mean over the cell at every
-   * point, F_bar = (theta / J)^(1/3) F with theta = int J dV / int dV, and B
-   * follows from it, so that f is the derivative of int psi(F_bar) dV and K is
-   * symmetric [Simo, Taylor & Pister 1985; Hughes 1980 for small strain].
+   * With mean dilatation the volume changes by theta, the projection of J
+   * (DilatationProjection; with bilinear elements theta = int J dV / int dV):
+   * F_bar = (theta / J)^(1/3) F, and B follows from it, so that f is the
+   * derivative of int psi(F_bar) dV and K is symmetric [Simo, Taylor & Pister
+   * 1985; Hughes 1980 for small strain].
    *
    * Unknowns are counted node by node. Used again from cell to cell.
    */
@@ -70,12 +72,16 @@ namespace Signorini
     // At one point of the cell.
     struct DeformedPoint
     {
-      dealii::Tensor<2, dim>              gradient;   // du/dX
-      double                              hoop = 0.;  // u_r/R
-      double                              dilatation; // J - 1 or div u
-      double                              volume;     // before
+      dealii::Tensor<2, dim>              gradient;        // du/dX
+      double                              hoop = 0.;       // u_r/R
+      double                              dilatation;      // J - 1 or div u
+      double                              mean_dilatation; // theta - 1
+      double                              volume;          // before
       std::vector<dealii::Tensor<1, dim>> shape_gradients;
       std::vector<double>                 over_r; // N_a/r, axisymmetric
+
+      // d ln theta for each shape function and component.
+      std::vector<dealii::Tensor<1, dim>> mean_divergence;
     };
 
     void
@@ -85,7 +91,7 @@ namespace Signorini
 
     // Mean dilatation, and the mean of the divergences of the shape functions.
     void
-    find_means();
+    find_means(const dealii::FEValues<dim> &values);
 
     // Scales the gradient at a point to the mean dilatation.
     void
@@ -105,11 +111,24 @@ namespace Signorini
 
     // Of the mean dilatation: the second derivative of F_bar.
     void
-    add_dilatation_stiffness(const DeformedPoint &kinematics,
+    add_dilatation_stiffness(const unsigned int   q,
                              const PointResponse &response);
 
     void
     add_mean_divergence_stiffness();
+
+    // Volume now by that before, at a point and in the projection.
+    double
+    volume_ratio(const DeformedPoint &kinematics) const
+    {
+      return is_finite_ ? 1. + kinematics.dilatation : 1.;
+    }
+
+    double
+    mean_volume_ratio(const DeformedPoint &kinematics) const
+    {
+      return is_finite_ ? 1. + kinematics.mean_dilatation : 1.;
+    }
 
     double
     divergence(const DeformedPoint &kinematics,
@@ -120,16 +139,15 @@ namespace Signorini
              (c == 0 ? kinematics.over_r[a] : 0.);
     }
 
-    const Body<dim>                    *body_;
-    const bool                          is_finite_;
-    const bool                          is_axisymmetric_;
-    const bool                          has_mean_dilatation_;
-    std::vector<DeformedPoint>          points_;
-    std::vector<Operator>               strain_operators_;
-    double                              mean_dilatation_;
-    double                              volume_;        // now
-    double                              mean_pressure_; // int tr(stress)/3 dV
-    std::vector<dealii::Tensor<1, dim>> mean_divergence_;
+    const Body<dim>           *body_;
+    const bool                 is_finite_;
+    const bool                 is_axisymmetric_;
+    const bool                 has_mean_dilatation_;
+    std::vector<DeformedPoint> points_;
+    std::vector<Operator>      strain_operators_;
+    DilatationProjection<dim>  projection_;
+    std::vector<double>        volumes_;   // of the points, before
+    std::vector<double>        pressures_; // tr(stress)/3 dV
   };
 } // namespace Signorini
 

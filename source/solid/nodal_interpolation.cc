@@ -93,6 +93,25 @@ namespace Signorini
 
 
   template <int dim>
+  bool
+  NodalInterpolation<dim>::contains(const Point<dim> &point) const
+  {
+    std::vector<std::pair<BoundingBox<dim>, unsigned int>> found;
+    tree_.query(boost::geometry::index::intersects(point),
+                std::back_inserter(found));
+    return std::any_of(found.begin(), found.end(), [&](const auto &box) {
+      const Place    place = place_in(box.second, point);
+      Tensor<2, dim> unused;
+      // In a folded cell Newton's method may end anywhere.
+      return place.distance == 0. &&
+             point_at(box.second, place.unit_point, unused).distance(point) <
+               1e-6 * sizes_[box.second];
+    });
+  }
+
+
+
+  template <int dim>
   const Point<dim> &
   NodalInterpolation<dim>::node_near(const Point<dim> &point) const
   {

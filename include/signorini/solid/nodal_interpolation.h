@@ -37,6 +37,10 @@ namespace Signorini
     std::optional<InterpolationWeights>
     weights(const dealii::Point<dim> &point) const;
 
+    /** Does the point lie in one of the cells? */
+    bool
+    contains(const dealii::Point<dim> &point) const;
+
     /** For messages. */
     const dealii::Point<dim> &
     node_near(const dealii::Point<dim> &point) const;
