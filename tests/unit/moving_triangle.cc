@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(in_and_out_again)
 {
   // The triangle goes up and down beyond the point within half of the way only
   // if the point moves, too: here both move along z, the triangle faster.
-  const MovingTriangle rises = {flat,
-                                moved(flat, turn_about_x(0.), {{0., 0., 1.}})};
+  const MovingTriangle rises = {
+    flat, moved(flat, turn_about_x(0.), Tensor<1, 3>({0., 0., 1.}))};
   BOOST_TEST(passes({0.2, 0.2, 0.5}, {0.2, 0.2, 0.6}, rises, 1e-9));
   BOOST_TEST(!passes({0.2, 0.2, 0.5}, {0.2, 0.2, 1.6}, rises, 1e-9));
 }
