@@ -2,6 +2,7 @@
 #include <signorini/named_errors.h>
 #include <signorini/output/progress.h>
 #include <signorini/output/run_folder.h>
+#include <signorini/simulation/finite_state.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/simulation.h>
@@ -145,12 +146,10 @@ namespace Signorini
         archive >> record_ >> files.fields.collection() >>
           files.surfaces.collection() >> files.displacements;
       }
-    catch (const boost::archive::archive_exception &error)
+    catch (const std::exception &) // of Boost, or lengths that do not fit
       {
-        throw InputError(std::string("--resume: the checkpoint does not fit "
-                                     "this program: ") +
-                         error.what() +
-                         ". Start the run anew without --resume.");
+        throw InputError("--resume: the checkpoint does not fit this program. "
+                         "Start the run anew without --resume.");
       }
     record_.n_regular =
       plan_.n_regular_at(record_.state.time, record_.n_regular);
@@ -235,6 +234,7 @@ namespace Signorini
   Simulation<dim>::record(const bool with_fields, Files &files)
   {
     const auto timing = timings_.measure("output");
+    require_finite(record_.state, *problem_.solid);
     append_history_row(problem_, record_.state, record_.history);
     files.history->write_new_rows(record_.history);
     if (with_fields)
