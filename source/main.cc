@@ -1,95 +1,21 @@
-#include <signorini/input_error.h>
 #include <signorini/simulation/command_line.h>
+#include <signorini/simulation/error_report.h>
 #include <signorini/simulation/interruption.h>
-#include <signorini/simulation/parameter_statements.h>
 #include <signorini/simulation/platform.h>
 #include <signorini/simulation/run.h>
 #include <signorini/simulation/threads.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
 
 #include <algorithm>
 #include <iostream>
-#include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
   using namespace Signorini;
-
-  enum ExitCode
-  {
-    done                    = 0,
-    wrong_input             = 1,
-    wrong_command_line      = 2,
-    computation_failed      = 3,
-    expected_results_missed = 4,
-    interrupted             = 130
-  };
-
-
-
-  /** deal.II frames its messages for developers; only the reason is kept. */
-  std::string
-  reason(const dealii::ExceptionBase &error)
-  {
-    std::ostringstream text;
-    error.print_info(text);
-    return without_extra_blanks(text.str());
-  }
-
-
-
-  /** Print the error that is being handled and return its exit code. */
-  int
-  report(const std::string &file)
-  {
-    const std::string during = file.empty() ? "" : " (" + file + ")";
-    try
-      {
-        throw;
-      }
-    catch (const InputError &error)
-      {
-        std::cerr << error.what() << std::endl;
-        return wrong_input;
-      }
-    catch (const CommandLineError &error)
-      {
-        std::cerr << error.what() << " See signorini --help." << std::endl;
-        return wrong_command_line;
-      }
-    catch (const ExpectedResultsMissed &error)
-      {
-        std::cerr << error.what() << std::endl;
-        return expected_results_missed;
-      }
-    catch (const Interrupted &error)
-      {
-        std::cerr << error.what() << std::endl;
-        return interrupted;
-      }
-    catch (const dealii::ExceptionBase &error)
-      {
-        std::cerr << "Computation failed" << during << ": " << reason(error)
-                  << std::endl;
-      }
-    catch (const std::bad_alloc &)
-      {
-        std::cerr << "Out of memory" << during
-                  << ". Coarsen the mesh or use a machine with more."
-                  << std::endl;
-      }
-    catch (const std::exception &error)
-      {
-        std::cerr << "Computation failed" << during << ": " << error.what()
-                  << std::endl;
-      }
-    return computation_failed;
-  }
-
-
 
   /** Every file is run; the largest exit code is that of the program. */
   int
@@ -110,7 +36,7 @@ namespace
         }
       catch (...)
         {
-          const int code = report(file);
+          const int code = report_error(file, std::cerr);
           exit_code      = std::max(exit_code, code);
           if (code == interrupted)
             break;
@@ -158,6 +84,6 @@ main(int argc, char **argv)
     }
   catch (...)
     {
-      return report("");
+      return report_error("", std::cerr);
     }
 }

@@ -1,10 +1,11 @@
+#include <signorini/formula.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
-#include <signorini/silenced_errors.h>
 
-#include <deal.II/base/function_parser.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
+
+#include <cmath>
 
 namespace Signorini
 {
@@ -74,21 +75,32 @@ namespace Signorini
 
 
 
+  bool
+  is_sane(const double value)
+  {
+    const double magnitude = std::abs(value);
+    return value == 0. || (magnitude >= 1e-100 && magnitude <= 1e100);
+  }
+
+
+
   double
   parse_number(const std::string &text, const std::string &entry)
   {
-    const SilencedErrors silence;
+    const std::string found =
+      entry + ": found \"" + Utilities::trim(text) + "\", ";
+    double value = 0.;
     try
       {
-        FunctionParser<1> function(1);
-        function.initialize("x", text, {{"pi", numbers::PI}});
-        return function.value(Point<1>());
+        value = Formula(text, {}, {{"pi", numbers::PI}}, entry).value({});
       }
-    catch (const ExceptionBase &)
+    catch (const InputError &)
       {
-        throw InputError(entry + ": found \"" + text +
-                         "\", expected a number or a constant expression.");
+        throw InputError(found + "expected a number or a constant expression.");
       }
+    if (!is_sane(value))
+      throw InputError(found + sane_magnitudes + ".");
+    return value;
   }
 
 

@@ -1,12 +1,8 @@
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
-#include <signorini/nearest_name.h>
-#include <signorini/silenced_errors.h>
 #include <signorini/space_time_function.h>
 
-#include <deal.II/base/numbers.h>
-
-#include <cctype>
+#include <algorithm>
 
 namespace Signorini
 {
@@ -14,51 +10,38 @@ namespace Signorini
 
   namespace
   {
-    bool
-    contains_identifier(const std::string &text, const std::string &name)
+    template <int dim>
+    std::vector<std::string>
+    variables(const Dependence dependence)
     {
-      const auto belongs_to_name = [](const char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-      };
-      for (std::size_t at = text.find(name); at != std::string::npos;
-           at             = text.find(name, at + 1))
-        {
-                      const std::size_t end = at + name.size();
-                      if ((at == 0 || !belongs_to_name(text[at - 1])) &&
-              (end == text.size() || !belongs_to_name(text[end])))
-            return true;
-        }
-      return false;
+      std::vector<std::string> names;
+      if (dependence == Dependence::space ||
+          dependence == Dependence::space_and_time)
+        for (unsigned int d = 0; d < dim; ++d)
+          names.push_back(component_name(d));
+      if (dependence == Dependence::time ||
+          dependence == Dependence::space_and_time)
+        names.push_back("t");
+      return names;
     }
 
     template <int dim>
-    std::string
-    variables()
+    std::vector<double>
+    values(const Dependence  dependence,
+           const Point<dim> &point,
+           const double      time)
     {
-      return dim == 2 ? "x,y,t" : "x,y,z,t";
+      std::vector<double> values;
+      if (dependence == Dependence::space ||
+          dependence == Dependence::space_and_time)
+        for (unsigned int d = 0; d < dim; ++d)
+          values.push_back(point[d]);
+      if (dependence == Dependence::time ||
+          dependence == Dependence::space_and_time)
+        values.push_back(time);
+      return values;
     }
   } // namespace
-
-
-
-  Constants
-  parse_constants(const std::string &text, const std::string &entry)
-  {
-    Constants constants = {{"pi", numbers::PI}};
-    for (const std::string &item : split_list(text, ','))
-      {
-        const std::size_t equal = item.find('=');
-        const std::string name  = Utilities::trim(item.substr(0, equal));
-        if (equal == std::string::npos || name.empty() || name == "t" ||
-            name == "x" || name == "y" || name == "z" ||
-            !(std::isalpha(static_cast<unsigned char>(name[0]))))
-          throw InputError(entry + ": found \"" + item +
-                           "\". Write \"name = number\" with commas between, "
-                           "and names other than x, y, z, t.");
-        constants[name] = parse_number(item.substr(equal + 1), entry);
-      }
-    return constants;
-  }
 
 
 
@@ -66,9 +49,9 @@ namespace Signorini
   SpaceTimeFunction<dim>::SpaceTimeFunction(const std::string &text,
                                             const unsigned int n_components,
                                             const Constants   &constants,
-                                            const std::string &entry)
-    : function_(std::make_unique<FunctionParser<dim>>(n_components))
-    , depends_on_time_(contains_identifier(text, "t"))
+                                            const std::string &entry,
+                                            const Dependence   dependence)
+    : dependence_(dependence)
   {
     const auto expressions = split_list(text, ';');
     if (expressions.size() != n_components)
@@ -76,27 +59,11 @@ namespace Signorini
                        " expression(s) in \"" + text + "\", expected " +
                        std::to_string(n_components) +
                        ", separated by semicolons.");
-    const SilencedErrors silence;
-    try
-      {
-        function_->initialize(variables<dim>(), expressions, constants, true);
-        for (unsigned int c = 0; c < n_components; ++c)
-          value(Point<dim>(), 0., c);
-      }
-    catch (const ExceptionBase &error)
-      {
-        std::ostringstream reason;
-        error.print_info(reason);
-        std::vector<std::string> names;
-        for (const auto &[name, number] : constants)
-          names.push_back(name);
-        throw InputError(entry + ": cannot read the expression \"" + text +
-                         "\". Allowed are the variables " + variables<dim>() +
-                         ", the constants " + comma_separated(names) +
-                         " (more of them: entry Constants), and muParser's "
-                         "operators and functions. " +
-                         Utilities::trim(reason.str()));
-      }
+    for (const std::string &expression : expressions)
+      components_.emplace_back(expression,
+                               variables<dim>(dependence),
+                               constants,
+                               entry);
   }
 
 
@@ -107,8 +74,7 @@ namespace Signorini
                                 const double       time,
                                 const unsigned int component) const
   {
-    function_->set_time(time);
-    return function_->value(point, component);
+    return components_[component].value(values(dependence_, point, time));
   }
 
 
@@ -122,6 +88,19 @@ namespace Signorini
     for (unsigned int c = 0; c < dim; ++c)
       result[c] = value(point, time, c);
     return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  SpaceTimeFunction<dim>::depends_on_time() const
+  {
+    return std::any_of(components_.begin(),
+                       components_.end(),
+                       [](const Formula &formula) {
+                         return formula.depends_on("t");
+                       });
   }
 
 

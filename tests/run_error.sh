@@ -4,6 +4,7 @@
 # Comment lines at the beginning of the file say what has to happen:
 #   # expect: TEXT    must occur in the output; as many lines as needed
 #   # exit: 3         the exit code; without this line 1, and found by --check
+#   # run: yes        run, do not check
 #   # output: DIR     run, do not check, with the results in DIR
 #   # full: FILE      no byte can be written to this file of the results
 #   # first: OPTIONS  a run with these options comes first; the test resumes it
@@ -28,10 +29,11 @@ code=$(header exit | head -n 1)
 folder=$(header output | head -n 1)
 full=$(header full | head -n 1)
 first=$(header first | head -n 1)
+run=$(header run | head -n 1)
 results=$scratch/$(basename "$prm" .prm)
 options=(--threads 1 --output-directory "${folder:-$scratch}")
 # A wrong input has to be found before anything is computed.
-if [ "${code:-1}" = 1 ] && [ -z "$folder" ] && [ -z "$first" ]; then options+=(--check); fi
+if [ "${code:-1}" = 1 ] && [ -z "$folder$first$run" ]; then options+=(--check); fi
 # An entry may have blanks, so that quotes in the header count.
 eval "options+=($(header options | head -n 1))"
 
@@ -70,7 +72,7 @@ if grep -qE 'dealii::|std::|terminate called|An error occurred in line|Stacktrac
 fi
 if [ -n "$first" ]; then
   [ "$before" = "$(contents)" ] || fail "a refused input has changed files in $results."
-elif [ "${code:-1}" = 1 ] && [ -e "$scratch" ]; then
+elif [ "${code:-1}" = 1 ] && [ -z "$run" ] && [ -e "$scratch" ]; then
   fail "a refused input has left files in $scratch."
 fi
 

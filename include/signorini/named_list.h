@@ -37,8 +37,19 @@ namespace Signorini
   component_name(const unsigned int component);
 
   /**
+   * Whether a number of the .prm is 0 or from 1e-100 to 1e100 in magnitude:
+   * squares and products of others neither overflow nor vanish.
+   */
+  bool
+  is_sane(const double value);
+
+  /** That in words, for messages. */
+  constexpr const char *sane_magnitudes =
+    "allowed are 0 and magnitudes from 1e-100 to 1e100";
+
+  /**
    * A number, or a constant expression such as 2*pi/3.
-   * @throws InputError otherwise.
+   * @throws InputError otherwise, or if it is not sane.
    */
   double
   parse_number(const std::string &text, const std::string &entry);

@@ -1,28 +1,28 @@
 #ifndef signorini_space_time_function_h
 #define signorini_space_time_function_h
 
-#include <deal.II/base/function_parser.h>
+#include <signorini/formula.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <map>
-#include <memory>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
-  /** Constants of the .prm that may be used in every expression. */
-  using Constants = std::map<std::string, double>;
+  /** What the expressions of an entry may depend on. */
+  enum class Dependence
+  {
+    none,
+    time,
+    space,
+    space_and_time
+  };
 
   /**
-   * Reads `F = 1e3, h = 0.02`; pi is always there.
-   * @throws InputError for a name without a value and the like.
-   */
-  Constants
-  parse_constants(const std::string &text, const std::string &entry);
-
-  /**
-   * One or more expressions in x, y (, z) and t, with muParser's syntax.
+   * One or more expressions in x, y (, z) and t, or in some of them, with
+   * muParser's syntax.
    */
   template <int dim>
   class SpaceTimeFunction
@@ -32,14 +32,19 @@ namespace Signorini
      * @param text         expressions separated by semicolons
      * @param n_components how many there must be
      * @param entry        the path of the entry, for messages
+     * @param dependence   the variables that have a meaning there
      * @throws InputError when the number or an expression is wrong.
      */
     SpaceTimeFunction(const std::string &text,
                       const unsigned int n_components,
                       const Constants   &constants,
-                      const std::string &entry);
+                      const std::string &entry,
+                      const Dependence   dependence);
 
-    /** @param time in s. */
+    /**
+     * @param time in s.
+     * @throws InputError when the value is infinite or no number.
+     */
     double
     value(const dealii::Point<dim> &point,
           const double              time,
@@ -51,14 +56,11 @@ namespace Signorini
 
     /** False if t does not occur in any expression. */
     bool
-    depends_on_time() const
-    {
-      return depends_on_time_;
-    }
+    depends_on_time() const;
 
   private:
-    std::unique_ptr<dealii::FunctionParser<dim>> function_;
-    bool                                         depends_on_time_;
+    Dependence           dependence_;
+    std::vector<Formula> components_;
   };
 } // namespace Signorini
 

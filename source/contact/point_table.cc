@@ -1,5 +1,7 @@
 #include <signorini/contact/point_table.h>
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
+#include <signorini/regular_file.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -35,6 +37,7 @@ namespace Signorini
   std::vector<Point<2>>
   read_point_table(const std::string &path, const std::string &entry)
   {
+    with_path(entry + ": ", [&] { require_regular_file(path, largest_text); });
     std::ifstream file(path);
     std::string   line;
     if (!file || file.peek() == std::ifstream::traits_type::eof())

@@ -100,6 +100,35 @@ namespace Signorini
 
 
   template <int dim>
+  EntryConditions
+  RigidBody<dim>::conditions()
+  {
+    EntryConditions list = rigid_surface_conditions<dim>();
+    list.push_back(contradiction(
+      read_if_set({"Mass", "Force", "Initial velocity"}, "Free")));
+    list.push_back(contradiction(
+      read_unless_listed({"Motion"},
+                         "Free",
+                         dim == 2 ? std::vector<std::string>{"x", "y"} :
+                                    std::vector<std::string>{"x", "y", "z"})));
+    if (dim == 2)
+      {
+        list.push_back(contradiction(read_if_listed(
+          {"Moment", "Moment of inertia", "Initial angular velocity"},
+          "Free",
+          rotation_name)));
+        list.push_back(contradiction(
+          read_unless_listed({"Rotation"}, "Free", {rotation_name})));
+      }
+    list.push_back(read_with({"Initial velocity", "Initial angular velocity"},
+                             "Time/Analysis",
+                             {"dynamic"}));
+    return list;
+  }
+
+
+
+  template <int dim>
   RigidBody<dim>::RigidBody(const std::string &name,
                             const std::string &directory,
                             const Constants   &constants,
@@ -107,8 +136,8 @@ namespace Signorini
                             ParameterHandler  &prm)
     : name_(name)
     , surface_(create_rigid_surface<dim>(prm, "Rigid body " + name, directory))
-    , motion_(parse_function("Motion", dim, constants, prm))
-    , force_(parse_function("Force", dim, constants, prm))
+    , motion_(parse_function("Motion", dim, Dependence::time, constants, prm))
+    , force_(parse_function("Force", dim, Dependence::time, constants, prm))
     , first_unknown_(first_unknown)
   {
     const std::string path = "Rigid body " + name + " / ";
@@ -117,8 +146,9 @@ namespace Signorini
                                  path + "Centre of rotation");
     if (dim == 2)
       {
-        rotation_ = parse_function("Rotation", 1, constants, prm);
-        moment_   = parse_function("Moment", 1, constants, prm);
+        rotation_ =
+          parse_function("Rotation", 1, Dependence::time, constants, prm);
+        moment_ = parse_function("Moment", 1, Dependence::time, constants, prm);
       }
     parse_free_components(prm.get("Free"), path + "Free");
     parse_inertia(prm);
@@ -131,6 +161,7 @@ namespace Signorini
   std::unique_ptr<SpaceTimeFunction<dim>>
   RigidBody<dim>::parse_function(const std::string      &entry,
                                  const unsigned int      n_values,
+                                 const Dependence        dependence,
                                  const Constants        &constants,
                                  const ParameterHandler &prm) const
   {
@@ -140,7 +171,8 @@ namespace Signorini
                                                     n_values,
                                                     constants,
                                                     "Rigid body " + name_ +
-                                                      " / " + entry);
+                                                      " / " + entry,
+                                                    dependence);
   }
 
 
@@ -180,8 +212,8 @@ namespace Signorini
   RigidBody<dim>::parse_initial_velocity(const Constants        &constants,
                                          const ParameterHandler &prm)
   {
-    if (const auto velocity =
-          parse_function("Initial velocity", dim, constants, prm))
+    if (const auto velocity = parse_function(
+          "Initial velocity", dim, Dependence::none, constants, prm))
       for (unsigned int c = 0; c < dim; ++c)
         initial_velocity_[c] = velocity->value(Point<dim>(), 0., c);
     if (dim == 2)

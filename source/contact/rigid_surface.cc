@@ -82,6 +82,19 @@ namespace Signorini
 
 
   template <int dim>
+  EntryConditions
+  rigid_surface_conditions()
+  {
+    EntryConditions list;
+    for (const auto &[name, shape] : shapes<dim>())
+      list.push_back(
+        contradiction(read_with({section_name(name)}, "Shape", {name})));
+    return list;
+  }
+
+
+
+  template <int dim>
   std::unique_ptr<RigidSurface<dim>>
   create_rigid_surface(ParameterHandler  &prm,
                        const std::string &section,
@@ -92,6 +105,10 @@ namespace Signorini
 
 
 
+  template EntryConditions
+  rigid_surface_conditions<2>();
+  template EntryConditions
+  rigid_surface_conditions<3>();
   template void
   declare_rigid_surface_parameters<2>(ParameterHandler &);
   template void

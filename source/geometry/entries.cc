@@ -1,5 +1,6 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
+#include <signorini/geometry/memory_estimate.h>
 #include <signorini/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -77,6 +78,14 @@ namespace Signorini
         if (product > maximal_n_cells)
           refuse(entry, "makes more than 20 million cells.");
         result.push_back(static_cast<unsigned int>(value));
+      }
+    try
+      {
+        require_memory(product, result.size() == 3 ? 3 : 2);
+      }
+    catch (const InputError &error)
+      {
+        refuse(entry, error.what());
       }
     return result;
   }

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -13,7 +15,7 @@ namespace Signorini
     {
       prm.declare_entry("Teeth",
                         "3",
-                        Patterns::Integer(),
+                        Patterns::Integer(std::numeric_limits<int>::min(), 100),
                         "Number of teeth on each side of the root, n, from 1 "
                         "to 6.");
       prm.declare_entry("Flank length",
@@ -90,7 +92,8 @@ namespace Signorini
                         "Radius of the disc; greater than 0. Unit: m.");
       prm.declare_entry("Blades",
                         "44",
-                        Patterns::Integer(),
+                        Patterns::Integer(std::numeric_limits<int>::min(),
+                                          10000),
                         "Number of blades around the disc, at least 3, and so "
                         "few that the slots leave a neck between them.");
     }

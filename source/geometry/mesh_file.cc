@@ -5,6 +5,7 @@
 #include <signorini/geometry/mesh_file.h>
 #include <signorini/input_error.h>
 #include <signorini/nearest_name.h>
+#include <signorini/regular_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -37,6 +38,7 @@ namespace Signorini
     std::string
     content(const std::string &file_name)
     {
+      require_regular_file(file_name, largest_data);
       std::error_code error;
       if (!fs::is_regular_file(file_name, error))
         {

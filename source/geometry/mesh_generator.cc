@@ -109,6 +109,19 @@ namespace Signorini
 
 
   template <int dim>
+  EntryConditions
+  mesh_conditions()
+  {
+    EntryConditions list;
+    for (const Generator<dim> &generator : generators<dim>())
+      list.push_back(contradiction(
+        read_with({section_name(generator.name)}, "Mesh", {generator.name})));
+    return list;
+  }
+
+
+
+  template <int dim>
   Mesh<dim>
   create_mesh(const ParameterHandler &prm,
               const std::string      &base_directory,
@@ -175,6 +188,10 @@ namespace Signorini
             }
   }
 
+  template EntryConditions
+  mesh_conditions<2>();
+  template EntryConditions
+  mesh_conditions<3>();
   template void
   declare_mesh_parameters<2>(ParameterHandler &);
   template void

@@ -1,6 +1,7 @@
 #include <signorini/geometry/boundary_distance.h>
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
+#include <signorini/geometry/memory_estimate.h>
 #include <signorini/geometry/mesh_refinement.h>
 #include <signorini/geometry/neighbourhood.h>
 #include <signorini/geometry/refinement_passes.h>
@@ -67,6 +68,7 @@ namespace Signorini
       return {where->center, where->radius, static_cast<unsigned int>(n_times)};
     }
 
+    template <int dim>
     void
     check_n_cells(const double n_cells)
     {
@@ -75,6 +77,8 @@ namespace Signorini
           "The refinements of the mesh make more than 20 million cells. Ask "
           "for fewer in the section of the body (Initial refinements, Global "
           "refinements, Refinements towards, Refinements near).");
+      with_path("The refinements of the mesh: ",
+                [&] { require_memory(n_cells, dim); });
     }
 
     template <int dim>
@@ -85,7 +89,7 @@ namespace Signorini
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->refine_flag_set())
           n_cells += GeometryInfo<dim>::max_children_per_cell - 1;
-      check_n_cells(n_cells);
+      check_n_cells<dim>(n_cells);
       try
         {
           triangulation.execute_coarsening_and_refinement();
@@ -223,8 +227,8 @@ namespace Signorini
   void
   refine_globally(Triangulation<dim> &triangulation, const unsigned int n_times)
   {
-    check_n_cells(triangulation.n_active_cells() *
-                  std::pow(2., static_cast<double>(dim) * n_times));
+    check_n_cells<dim>(triangulation.n_active_cells() *
+                       std::pow(2., static_cast<double>(dim) * n_times));
     for (unsigned int i = 0; i < n_times; ++i)
       {
         triangulation.set_all_refine_flags();

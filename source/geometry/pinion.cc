@@ -5,6 +5,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -60,7 +62,7 @@ namespace Signorini
     prm.enter_subsection("Pinion");
     prm.declare_entry("Teeth",
                       "20",
-                      Patterns::Integer(),
+                      Patterns::Integer(std::numeric_limits<int>::min(), 10000),
                       "Number of teeth z of the whole gear, at least 5.");
     ToothEntries::declare_shape(prm,
                                 "Where the tip relief begins, measured on the "

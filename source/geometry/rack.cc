@@ -6,6 +6,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
+
 namespace Signorini
 {
   using namespace dealii;
@@ -48,7 +50,7 @@ namespace Signorini
                       "module. Unit: m.");
     prm.declare_entry("Teeth of the pinion",
                       "20",
-                      Patterns::Integer(),
+                      Patterns::Integer(std::numeric_limits<int>::min(), 10000),
                       "How far the rack moves with the roll angle depends on "
                       "them; at least 5.");
     ToothEntries::declare_place(prm,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
@@ -131,7 +132,7 @@ namespace Signorini
   {
     prm.declare_entry("Modelled teeth",
                       "3",
-                      Patterns::Integer(),
+                      Patterns::Integer(std::numeric_limits<int>::min(), 10000),
                       "How many teeth next to each other are "
                       "modelled, from the middle of a space to the "
                       "middle of another; at least 1.");

@@ -85,6 +85,27 @@ namespace Signorini
 
 
 
+  EntryConditions
+  ElastoPlastic::conditions()
+  {
+    EntryConditions list = {contradiction(
+      read_with({"Hardening", "Kinematic hardening", "Rate dependence"},
+                "Law",
+                {"elasto-plastic"}))};
+    for (const EntryConditions &part : {YieldCurve::conditions(),
+                                        RateDependence::conditions(),
+                                        KinematicHardening::conditions()})
+      for (const EntryCondition &condition : part)
+        {
+          list.push_back(contradiction(
+            read_with(condition.names, "Law", {"elasto-plastic"})));
+          list.push_back(condition);
+        }
+    return list;
+  }
+
+
+
   ElastoPlastic
   ElastoPlastic::parse(const ParameterHandler &prm,
                        const std::string      &base_directory)

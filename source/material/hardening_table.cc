@@ -1,7 +1,9 @@
 #include "hardening_table.h"
 
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/named_list.h>
+#include <signorini/regular_file.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -30,6 +32,7 @@ namespace Signorini
     std::vector<YieldCurve::Entry>
     read_file(const std::string &path)
     {
+      with_path(name + ": ", [&] { require_regular_file(path, largest_text); });
       std::ifstream file(path);
       std::string   line;
       if (!file || file.peek() == std::ifstream::traits_type::eof())

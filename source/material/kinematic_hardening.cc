@@ -30,6 +30,19 @@ namespace Signorini
 
 
 
+  EntryConditions
+  KinematicHardening::conditions()
+  {
+    return {contradiction(read_with({"Kinematic hardening modulus"},
+                                    "Kinematic hardening",
+                                    {"linear", "Armstrong-Frederick"})),
+            contradiction(read_with({"Dynamic recovery"},
+                                    "Kinematic hardening",
+                                    {"Armstrong-Frederick"}))};
+  }
+
+
+
   KinematicHardening
   KinematicHardening::parse(const ParameterHandler &prm)
   {

@@ -148,6 +148,14 @@ namespace Signorini
 
 
 
+  EntryConditions
+  material_conditions()
+  {
+    return ElastoPlastic::conditions();
+  }
+
+
+
   std::unique_ptr<Material>
   create_material(const std::string &section,
                   const Kinematics   kinematics,

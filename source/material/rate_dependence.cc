@@ -31,6 +31,16 @@ namespace Signorini
 
 
 
+  EntryConditions
+  RateDependence::conditions()
+  {
+    return {contradiction(read_with({"Rate coefficient", "Reference rate"},
+                                    "Rate dependence",
+                                    {"Johnson-Cook"}))};
+  }
+
+
+
   RateDependence
   RateDependence::parse(const ParameterHandler &prm)
   {

@@ -102,6 +102,21 @@ namespace Signorini
 
 
 
+  EntryConditions
+  YieldCurve::conditions()
+  {
+    return {
+      contradiction(read_with({"Yield stress", "Hardening modulus"},
+                              "Hardening",
+                              {"linear", "Voce"})),
+      contradiction(read_with({"Hardening table"}, "Hardening", {"table"})),
+      contradiction(read_with({"Saturation stress", "Saturation exponent"},
+                              "Hardening",
+                              {"Voce"}))};
+  }
+
+
+
   YieldCurve
   YieldCurve::parse(const ParameterHandler &prm,
                     const std::string      &base_directory)

@@ -111,6 +111,10 @@ namespace Signorini
           throw InputError("The formula cannot be read. muParser says: " +
                            trim(reason.str()));
         }
+      catch (...) // muParser's own error is no std::exception
+        {
+          throw InputError("The formula cannot be read.");
+        }
     }
 
     std::string
@@ -260,6 +264,12 @@ namespace Signorini
   {
     if (trim(text).empty())
       throw InputError("A formula is missing.");
+    // Calls inside of each other would fill the stack.
+    constexpr std::size_t longest = 10000;
+    if (text.size() > longest)
+      throw InputError("A formula has " + std::to_string(text.size()) +
+                       " characters, allowed are " + std::to_string(longest) +
+                       ".");
     find_outside(text, ""); // the parentheses match
 
     std::map<std::string, double> dummy_values{{"pi", 1.}};

@@ -2,6 +2,7 @@
 #include <signorini/output/checkpoint.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/whole_file.h>
+#include <signorini/regular_file.h>
 #include <signorini/version.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -61,6 +62,7 @@ namespace Signorini
     std::string
     content_of(const std::string &path)
     {
+      require_regular_file(path, largest_data);
       std::ifstream      file(path, std::ios::binary);
       std::ostringstream text;
       text << file.rdbuf();
@@ -123,7 +125,14 @@ namespace Signorini
       std::istringstream              stream(data);
       boost::archive::binary_iarchive archive(stream);
       Checkpoint                      checkpoint;
-      archive >> checkpoint;
+      try
+        {
+          archive >> checkpoint;
+        }
+      catch (const std::exception &)
+        {
+          throw Damaged("its content does not fit this program");
+        }
       return checkpoint;
     }
   } // namespace

@@ -14,14 +14,14 @@ namespace Signorini
     prm.enter_subsection("Adaptivity");
     prm.declare_entry("Maximal meshes",
                       "1",
-                      Patterns::Integer(1),
+                      Patterns::Integer(1, 100),
                       "The problem is solved on a mesh, the mesh refined where "
                       "contact and error ask for it, and again, until the "
                       "quantities settle, but on no more meshes than this. "
                       "Then the run is made. 1: with the mesh as it is.");
     prm.declare_entry("Settled at",
                       "0.01",
-                      Patterns::Double(0.),
+                      Patterns::Double(0., 1.),
                       "Relative change of all quantities, while the number of "
                       "unknowns doubles and the estimated error falls, at "
                       "which the mesh is good enough. Unit: 1.");
@@ -35,7 +35,7 @@ namespace Signorini
                       "largest pressure of each pair.");
     prm.declare_entry("Cells across contact",
                       "16",
-                      Patterns::Integer(0),
+                      Patterns::Integer(0, 10000),
                       "Cells around what is in contact are cut until so many "
                       "go into its width, on both bodies and half a width "
                       "deep. 0: contact is refined by its error only.");
@@ -66,6 +66,22 @@ namespace Signorini
                       "One step is enough for elastic bodies without friction. "
                       "Unit: s.");
     prm.leave_subsection();
+  }
+
+
+
+  EntryConditions
+  AdaptivityParameters::conditions()
+  {
+    return {read_if_set({"Settled at",
+                         "Quantities",
+                         "Cells across contact",
+                         "Error share",
+                         "Smallest cell",
+                         "Maximal unknowns",
+                         "Time",
+                         "Step size"},
+                        "Maximal meshes")};
   }
 
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cctype>
+#include <map>
 
 namespace Signorini
 {
@@ -136,6 +137,39 @@ namespace Signorini
                        ". A deformable target is written BODY.BOUNDARY.");
     }
 
+    // In the order of their bodies and boundaries, whatever the word between.
+    template <int dim>
+    void
+    refuse_doubled_pairs(
+      const std::vector<typename ContactModel<dim>::PairDescription> &pairs,
+      const std::vector<std::string>                                 &texts)
+    {
+      std::map<std::string, std::string> known;
+      for (unsigned int p = 0; p < pairs.size(); ++p)
+        {
+          const std::string sides = pairs[p].body->name() + "." +
+                                    pairs[p].boundary + " on " +
+                                    pairs[p].target->name();
+          const auto [other, is_new] = known.emplace(sides, texts[p]);
+          if (!is_new)
+            throw InputError(entry + ": \"" + other->second + "\" and \"" +
+                             texts[p] +
+                             "\" are the same pair. Remove one of them.");
+        }
+    }
+
+    void
+    refuse_friction_of_three_dimensions(const std::string &algorithm,
+                                        const FrictionLaw &friction)
+    {
+      if (!friction.is_frictionless() &&
+          (algorithm == "ando" || algorithm == "two step"))
+        throw InputError("Contact / Algorithm: " + algorithm +
+                         " needs a slip with a sign, as in two dimensions, but "
+                         "there is friction in three. Set Algorithm = "
+                         "semismooth Newton.");
+    }
+
     template <int dim>
     typename ContactModel<dim>::PairDescription
     parse_pair(const PairText                                     &pair,
@@ -213,11 +247,36 @@ namespace Signorini
                       "Penalty stiffness counts. Unit: 1.");
     prm.declare_entry("Force tolerance",
                       "1e-4",
-                      Patterns::Double(0.),
+                      Patterns::Double(1e-12, 0.1),
                       "A step over a curved target has converged when "
                       "contact forces change by less than this part of the "
                       "largest [MC, sec. 5.2: 0.01 %]. Unit: 1.");
     prm.leave_subsection();
+  }
+
+
+
+  EntryConditions
+  ContactParameters::conditions()
+  {
+    EntryConditions list = AlgorithmParameters::conditions();
+    list.push_back(
+      contradiction(read_with({"Relative penalty stiffness"},
+                              "Algorithm",
+                              {"penalty", "augmented Lagrangian"})));
+    list.push_back(contradiction({{"Penalty stiffness"},
+                                  "Relative penalty stiffness",
+                                  [](const EntryCondition::Choice &relative) {
+                                    return relative.is_default;
+                                  },
+                                  "Remove the Relative penalty stiffness",
+                                  true}));
+    for (const EntryCondition &condition : PairParameters::conditions())
+      list.push_back(condition);
+    list.push_back(read_if_set(
+      {"Algorithm", "Force tolerance", "Friction coefficient", "Overclosure"},
+      "Pairs"));
+    return list;
   }
 
 
@@ -254,6 +313,11 @@ namespace Signorini
                                  solid,
                                  rigid_bodies,
                                  parameters.of_pairs[p]));
+    refuse_doubled_pairs<dim>(pairs, parameters.pairs);
+    if (dim == 3)
+      for (const PairParameters &pair : parameters.of_pairs)
+        refuse_friction_of_three_dimensions(parameters.algorithm.algorithm,
+                                            pair.friction);
     return std::make_unique<ContactModel<dim>>(std::move(pairs),
                                                solid.is_fixed(),
                                                solid.constraints());

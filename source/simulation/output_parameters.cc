@@ -35,7 +35,7 @@ namespace Signorini
                       "`--resume' can go on from there; 0: not by steps.");
     prm.declare_entry("Minutes between checkpoints",
                       "10",
-                      Patterns::Double(0.),
+                      Patterns::Double(0., 1e6),
                       "Save the run each time so many minutes of computing "
                       "have passed; 0: not by the clock. A run that is stopped "
                       "by Ctrl-C or `--steps' is saved always.");

@@ -90,6 +90,16 @@ namespace Signorini
                           text);
     }
 
+    // BODY.BOUNDARY after the word in the middle.
+    bool
+    has_deforming_target(const EntryCondition::Choice &pairs)
+    {
+      for (const std::string &pair : split_list(pairs.value, ','))
+        if (pair.find('.') != pair.rfind('.'))
+          return true;
+      return false;
+    }
+
     using Getter = std::function<std::string(const std::string &)>;
 
     double
@@ -120,6 +130,25 @@ namespace Signorini
           declare(entry, true, prm);
         prm.leave_subsection();
       }
+  }
+
+
+
+  EntryConditions
+  PairParameters::conditions()
+  {
+    return {
+      contradiction(read_with({"Press fit end"}, "Overclosure", {"press fit"})),
+      read_if_set({"Shear stress limit"}, "Friction coefficient"),
+      read_with({"Surface", "Knots", "Feature angle"},
+                "Constraint",
+                {"node to surface"}),
+      read_with({"Knots", "Feature angle"}, "Surface", {"spline"}),
+      {{"Surface", "Knots", "Feature angle", "Search distance", "Search depth"},
+       "Pairs",
+       &has_deforming_target,
+       "Name a pair with a deforming target",
+       false}};
   }
 
 

@@ -6,7 +6,10 @@
 #include <signorini/simulation/pattern_in_words.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 
 namespace Signorini
@@ -121,6 +124,25 @@ namespace Signorini
 
 
 
+    /** Of the numbers in a value; what is no number is left to the pattern. */
+    bool
+    are_sane(const std::string &value)
+    {
+      const char *at = value.c_str();
+      while (*at != '\0')
+        {
+          char *end           = nullptr;
+          errno               = 0; // of what vanishes, such as 1e-9999
+          const double number = std::strtod(at, &end);
+          if (end != at && (errno == ERANGE || !is_sane(number)))
+            return false;
+          at = end == at ? at + 1 : end;
+        }
+      return true;
+    }
+
+
+
     /** Sets one entry at a time and gathers what is wrong. */
     class Application
     {
@@ -180,6 +202,15 @@ namespace Signorini
     Application::set(const ParameterStatement &statement,
                      const DeclaredSection    &section)
     {
+      const std::string &pattern = section.find_entry(statement.entry)->pattern;
+      if (pattern.find("[Double") != std::string::npos &&
+          !are_sane(statement.value))
+        {
+          problems.push_back(place_of(statement.origin, statement.section) +
+                             "entry \"" + statement.entry + "\": found \"" +
+                             statement.value + "\"; " + sane_magnitudes + ".");
+          return;
+        }
       for (const std::string &name : statement.section)
         prm.enter_subsection(name);
       try
@@ -188,9 +219,7 @@ namespace Signorini
         }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
-          problems.push_back(
-            wrong_value(statement,
-                        section.find_entry(statement.entry)->pattern));
+          problems.push_back(wrong_value(statement, pattern));
         }
       for (std::size_t i = 0; i < statement.section.size(); ++i)
         prm.leave_subsection();
@@ -258,9 +287,15 @@ namespace Signorini
     for (const ParameterStatement &statement : statements)
       application.apply(statement);
 
-    std::string message;
-    for (const std::string &problem : application.problems)
-      message += (message.empty() ? "" : "\n") + problem;
+    std::string           message;
+    constexpr std::size_t most    = 20; // nobody reads more at a time
+    const std::size_t     n_shown = std::min(most, application.problems.size());
+    for (std::size_t i = 0; i < n_shown; ++i)
+      message += (i == 0 ? "" : "\n") + application.problems[i];
+    if (application.problems.size() > n_shown)
+      message += "\nand " +
+                 std::to_string(application.problems.size() - n_shown) +
+                 " more like these.";
     if (!message.empty())
       throw InputError(message);
   }
@@ -276,6 +311,21 @@ namespace Signorini
                                      return joined_path(statement) == path;
                                    });
     return last == statements.rend() ? "default" : last->origin;
+  }
+
+
+
+  std::vector<ParameterStatement>
+  ParameterFile::assignments() const
+  {
+    std::map<std::string, ParameterStatement> last;
+    for (const ParameterStatement &statement : statements)
+      if (!statement.entry.empty())
+        last[joined_path(statement)] = statement;
+    std::vector<ParameterStatement> list;
+    for (const auto &[path, statement] : last)
+      list.push_back(statement);
+    return list;
   }
 
 

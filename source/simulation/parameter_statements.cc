@@ -1,5 +1,7 @@
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
 #include <signorini/nearest_name.h>
+#include <signorini/regular_file.h>
 #include <signorini/simulation/parameter_statements.h>
 
 #include <algorithm>
@@ -13,6 +15,13 @@ namespace Signorini
 {
   namespace
   {
+    // More of them are no work of a pen; each would fill memory or stack.
+    constexpr std::size_t  longest_line    = 100000;
+    constexpr std::size_t  deepest_section = 50;
+    constexpr unsigned int most_files      = 1000;
+    constexpr std::size_t  deepest_include = 50;
+    constexpr std::size_t  most_statements = 100000;
+
     /** A line with its continuations joined and its comments removed. */
     struct Line
     {
@@ -26,6 +35,30 @@ namespace Signorini
     without_comment(const std::string &line)
     {
       return line.substr(0, line.find('#'));
+    }
+
+
+
+    /** What is printed of a line: not all of a long one, nor what is no text.
+     */
+    std::string
+    excerpt(const std::string &line)
+    {
+      constexpr std::size_t longest = 200;
+      std::string           text    = line.substr(0, longest);
+      for (char &c : text)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+          c = '?';
+      return text + (line.size() > longest ? "..." : "");
+    }
+
+
+
+    /** A control character that is no blank. */
+    bool
+    is_no_text(const unsigned char c)
+    {
+      return std::iscntrl(c) && !std::isspace(c);
     }
 
 
@@ -53,16 +86,27 @@ namespace Signorini
         {
           std::string text = without_comment(physical_line);
           text.erase(text.find_last_not_of(" \t\r") + 1);
+          if (std::any_of(text.begin(), text.end(), is_no_text))
+            throw InputError(place(file, number) +
+                             ": the line has a character that is no text. Is "
+                             "this a .prm file?");
           const bool continues = !text.empty() && text.back() == '\\';
           if (continues)
             text.pop_back();
 
+          if (number == 1 && text.rfind("\xEF\xBB\xBF", 0) == 0)
+            text.erase(0, 3); // the mark that some editors put in front
           if (continued)
             lines.back().text +=
               text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
           else
             lines.push_back({text, number});
           continued = continues;
+          if (lines.back().text.size() > longest_line)
+            throw InputError(place(file, lines.back().number) +
+                             ": the line has more than " +
+                             std::to_string(longest_line) +
+                             " characters. Is this a .prm file?");
         }
       if (continued)
         throw InputError(place(file, lines.back().number) +
@@ -133,6 +177,9 @@ namespace Signorini
       set(const std::string &assignment, const std::string &origin);
 
       void
+      add(const ParameterStatement &statement);
+
+      void
       include(const std::string &file, const std::string &origin);
 
       void
@@ -146,6 +193,8 @@ namespace Signorini
 
       /** The file and those that include it, the first one read first. */
       std::vector<std::filesystem::path> files_being_read;
+
+      unsigned int n_files = 0;
 
       /** Number of sections that were open when the file began. */
       std::size_t depth_at_start = 0;
@@ -161,9 +210,7 @@ namespace Signorini
       if (!std::filesystem::exists(path, ignored))
         throw InputError(asked_by + name + " does not exist." +
                          suggested_file(path));
-      if (std::filesystem::is_directory(path, ignored))
-        throw InputError(asked_by + name +
-                         " is a folder. A .prm file is expected.");
+      with_path(asked_by, [&] { require_regular_file(path, largest_text); });
       std::ifstream stream(path);
       if (!stream)
         throw InputError(asked_by + name +
@@ -179,6 +226,11 @@ namespace Signorini
     {
       std::ifstream stream = open_file(path, asked_by);
       guard_against_recursion(path, asked_by);
+      if (++n_files > most_files || files_being_read.size() > deepest_include)
+        throw InputError(asked_by + "more than " + std::to_string(most_files) +
+                         " files are included, or more than " +
+                         std::to_string(deepest_include) +
+                         " in each other. Put them together.");
 
       const std::size_t depth_around = depth_at_start;
       depth_at_start                 = section.size();
@@ -220,7 +272,7 @@ namespace Signorini
       else if (keyword == "include")
         include(rest, origin);
       else
-        throw InputError(origin + ": cannot understand \"" + line +
+        throw InputError(origin + ": cannot understand \"" + excerpt(line) +
                          "\". A line is one of: set NAME = VALUE, subsection "
                          "NAME, end, include FILE, # comment.");
     }
@@ -233,9 +285,14 @@ namespace Signorini
     {
       if (name.empty())
         throw InputError(origin + ": \"subsection\" without a name.");
+      if (section.size() == deepest_section)
+        throw InputError(origin + ": more than " +
+                         std::to_string(deepest_section) +
+                         " subsections inside of each other. Is an \"end\" "
+                         "missing?");
       section.push_back(name);
       section_origins.push_back(origin);
-      statements.push_back({section, "", "", origin});
+      add({section, "", "", origin});
     }
 
 
@@ -246,17 +303,30 @@ namespace Signorini
     {
       const std::size_t equals = assignment.find('=');
       if (equals == std::string::npos)
-        throw InputError(origin + ": \"set " + assignment +
+        throw InputError(origin + ": \"set " + excerpt(assignment) +
                          "\" has no \"=\". Write: set NAME = VALUE.");
       const std::string name =
         without_extra_blanks(assignment.substr(0, equals));
       if (name.empty())
         throw InputError(origin + ": \"set\" without a name before the \"=\". "
                                   "Write: set NAME = VALUE.");
-      statements.push_back({section,
-                            name,
-                            without_extra_blanks(assignment.substr(equals + 1)),
-                            origin});
+      add({section,
+           name,
+           without_extra_blanks(assignment.substr(equals + 1)),
+           origin});
+    }
+
+
+
+    void
+    StatementReader::add(const ParameterStatement &statement)
+    {
+      if (statements.size() == most_statements)
+        throw InputError(statement.origin + ": more than " +
+                         std::to_string(most_statements) +
+                         " lines, those of included files counted. Is this a "
+                         ".prm file?");
+      statements.push_back(statement);
     }
 
 

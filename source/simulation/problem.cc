@@ -6,6 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace Signorini
@@ -59,6 +61,16 @@ namespace Signorini
                         "`F = 1e3, h = 0.02'. pi is always known.");
     }
 
+    // Whether a rigid body stands behind the last word of a pair.
+    bool
+    names_target(const std::string &pairs, const std::string &body)
+    {
+      for (const std::string &pair : split_list(pairs, ','))
+        if (pair.substr(pair.rfind(' ') + 1) == body)
+          return true;
+      return false;
+    }
+
     template <int dim>
     void
     declare_body_parameters(const std::vector<std::string> &regions,
@@ -87,8 +99,12 @@ namespace Signorini
     {
       if (prm.get(entry).empty())
         return;
-      const SpaceTimeFunction<dim> function(
-        prm.get(entry), dim, constants, "Body " + body.name() + " / " + entry);
+      const SpaceTimeFunction<dim> function(prm.get(entry),
+                                            dim,
+                                            constants,
+                                            "Body " + body.name() + " / " +
+                                              entry,
+                                            Dependence::space);
       for (const auto &node : body.nodes())
         for (unsigned int c = 0; c < dim; ++c)
           vector[node.dofs[c]] = function.value(node.point, 0., c);
@@ -141,6 +157,38 @@ namespace Signorini
         }
       return lists;
     }
+
+    // Asks for loads and motions at the start, the end, and some steps in
+    // between as the run will do, so that a formula that has no value there is
+    // found before anything is computed. A large problem gets fewer samples.
+    template <int dim>
+    void
+    try_formulas(const Problem<dim>   &problem,
+                 const Vector<double> &displacement)
+    {
+      const TimeParameters  &time  = problem.time;
+      const SolidModel<dim> &solid = *problem.solid;
+      const double n_steps         = std::ceil(time.end_time / time.step_size);
+      const double n_samples =
+        std::min(n_steps, std::max(1., std::min(50., 2e5 / solid.n_dofs())));
+      Vector<double> motion(solid.n_dofs()), velocity(motion),
+        acceleration(motion);
+      for (unsigned int i = 0; i <= n_samples; ++i)
+        {
+          const double sample =
+            std::min(time.end_time,
+                     std::round(i * n_steps / n_samples) * time.step_size);
+          solid.apply_supports(sample, motion);
+          solid.external_force(sample, displacement);
+          for (const auto &body : problem.rigid_bodies)
+            body->placement({displacement, sample});
+          if (time.dynamic)
+            solid.apply_support_rates(sample,
+                                      time.step_size,
+                                      velocity,
+                                      acceleration);
+        }
+    }
   } // namespace
 
 
@@ -167,6 +215,46 @@ namespace Signorini
     TimeParameters::declare_parameters(prm);
     AdaptivityParameters::declare_parameters(prm);
     OutputParameters<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  ConditionList
+  problem_conditions(const ProblemOutline &outline)
+  {
+    ConditionList list;
+    list.add({}, {read_if_set({"Submodel of"}, "From global run")});
+    for (unsigned int b = 0; b < outline.bodies.size(); ++b)
+      {
+        const std::string body = "Body " + outline.bodies[b];
+        list.add({body}, Body<dim>::conditions());
+        list.add(
+          {body},
+          {read_with({"Initial velocity"}, "Time/Analysis", {"dynamic"})});
+        list.add({body, "Loads"}, Loads<dim>::conditions());
+        list.add({body, "Material"}, material_conditions());
+        for (const auto &region : outline.regions[b])
+          list.add({body, "Material " + region}, material_conditions());
+      }
+    for (const auto &name : outline.rigid_bodies)
+      {
+        list.add({"Rigid body " + name}, RigidBody<dim>::conditions());
+        list.add({},
+                 {{{"Rigid body " + name},
+                   "Contact/Pairs",
+                   [name](const EntryCondition::Choice &pairs) {
+                     return names_target(pairs.value, name);
+                   },
+                   "Name a pair with it",
+                   false}});
+      }
+    list.add({"Contact"}, ContactParameters::conditions());
+    for (const auto &pair : outline.pairs)
+      list.add({"Contact", "Pair " + pair}, PairParameters::conditions());
+    list.add({"Time"}, TimeParameters::conditions());
+    list.add({"Adaptivity"}, AdaptivityParameters::conditions());
+    return list;
   }
 
 
@@ -259,6 +347,7 @@ namespace Signorini
                                            problem.rigid_bodies);
     Vector<double> start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
+    try_formulas(problem, start);
     treat_overclosure(problem.contact_parameters.of_pairs,
                       start,
                       *problem.contact);
@@ -291,6 +380,10 @@ namespace Signorini
   declare_problem_parameters<2>(const ProblemOutline &, ParameterHandler &);
   template void
   declare_problem_parameters<3>(const ProblemOutline &, ParameterHandler &);
+  template ConditionList
+  problem_conditions<2>(const ProblemOutline &);
+  template ConditionList
+  problem_conditions<3>(const ProblemOutline &);
   template struct Problem<2>;
   template struct Problem<3>;
 } // namespace Signorini

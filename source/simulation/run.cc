@@ -14,6 +14,7 @@
 #include <signorini/simulation/shell_word.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/simulation/threads.h>
+#include <signorini/simulation/unread_entries.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 
@@ -78,18 +79,29 @@ namespace Signorini
       return file.path() + ": " + message;
     }
 
-    // Problem and time loop; wrong input is reported with its place.
-    template <typename Creator>
+    // An InputError that names the file and the line already.
+    class PlacedInputError : public InputError
+    {
+    public:
+      using InputError::InputError;
+    };
+
+    // What the action returns; wrong input is reported with its place.
+    template <typename Action>
     auto
-    created_from(const ParameterFile &file, const Creator &create)
+    with_places(const ParameterFile &file, const Action &action)
     {
       try
         {
-          return create();
+          return action();
+        }
+      catch (const PlacedInputError &)
+        {
+          throw;
         }
       catch (const InputError &error)
         {
-          throw InputError(with_place(file, error.what()));
+          throw PlacedInputError(with_place(file, error.what()));
         }
     }
 
@@ -167,11 +179,15 @@ namespace Signorini
       Timings          timings;
       ParameterHandler prm;
       declare_problem_parameters<dim>(outline, prm);
+      ParameterHandler defaults;
+      declare_problem_parameters<dim>(outline, defaults);
       file.apply(prm);
+      const std::vector<std::string> notes = warnings_of_unread_entries(
+        file, problem_conditions<dim>(outline), prm, defaults);
       const ProblemCreator<dim> create =
         [&](const std::vector<RefinementPasses> &passes) {
           const auto   timing  = timings.measure("set-up");
-          Problem<dim> problem = created_from(file, [&] {
+          Problem<dim> problem = with_places(file, [&] {
             return Problem<dim>::create(outline, file.directory(), passes, prm);
           });
           choose_blas_threads(problem.solid->n_dofs());
@@ -188,14 +204,17 @@ namespace Signorini
       Problem<dim> problem = create(task.passes);
       // What is wrong in the checks, the algorithm or the quantities is found
       // before anything is written.
-      auto simulation = created_from(file, [&] {
+      auto simulation = with_places(file, [&] {
         MeshAdaptation<dim>{problem};
         return std::make_unique<Simulation<dim>>(problem, timings);
       });
       if (options.check_only)
         {
-          Log("").line(file.path() + ": the input is fine\n" +
-                       description(problem));
+          Log log("");
+          for (const std::string &note : notes)
+            log.line("warning: " + note);
+          log.line(file.path() + ": the input is fine\n" +
+                   description(problem));
           return;
         }
       if (task.checkpoint)
@@ -217,6 +236,8 @@ namespace Signorini
         log.line(warning + " An older one is taken.");
       log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
       log.line("results in " + folder);
+      for (const std::string &note : notes)
+        log.line("warning: " + note);
       write_parameters(prm, result_file(folder + "/parameters.prm"));
       try
         {
@@ -224,12 +245,15 @@ namespace Signorini
               (!task.checkpoint || !task.checkpoint->meshes.empty()))
             {
               simulation.reset();
-              adapt_meshes(create, task, problem, timings, log);
+              with_places(file, [&] {
+                adapt_meshes(create, task, problem, timings, log);
+              });
               simulation = std::make_unique<Simulation<dim>>(problem, timings);
             }
           log.line(description(problem));
           task.geometry = geometry_checksum(problem);
-          simulation->run(task, log);
+          // A formula may have no value at a time that was not tried.
+          with_places(file, [&] { simulation->run(task, log); });
         }
       catch (const ComputationError &error)
         {

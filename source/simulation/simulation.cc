@@ -2,6 +2,7 @@
 #include <signorini/named_errors.h>
 #include <signorini/output/progress.h>
 #include <signorini/output/run_folder.h>
+#include <signorini/simulation/finite_state.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
 #include <signorini/simulation/simulation.h>
@@ -148,12 +149,10 @@ namespace Signorini
         archive >> record_ >> files.fields.collection() >>
           files.surfaces.collection() >> files.displacements;
       }
-    catch (const boost::archive::archive_exception &error)
+    catch (const std::exception &) // of Boost, or lengths that do not fit
       {
-        throw InputError(std::string("--resume: the checkpoint does not fit "
-                                     "this program: ") +
-                         error.what() +
-                         ". Start the run anew without --resume.");
+        throw InputError("--resume: the checkpoint does not fit this program. "
+                         "Start the run anew without --resume.");
       }
     record_.n_regular =
       plan_.n_regular_at(record_.state.time, record_.n_regular);
@@ -241,6 +240,7 @@ namespace Signorini
   {
     const auto   timing = timings_.measure("output");
     const State &state  = record_.state;
+    require_finite(state, *problem_.solid);
     append_history_row(problem_, state, record_.history);
     files.history->write_new_rows(record_.history);
     if (with_fields)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
@@ -82,10 +83,12 @@ namespace Signorini
     const double scale   = force_scale(state, multipliers);
     double       largest = 0.;
     for (unsigned int i = 0; i < residual.size(); ++i)
-      if (!solid_.is_fixed()[i] && !(std::abs(residual[i]) <= largest))
-        largest = std::abs(residual[i]);
+      if (!solid_.is_fixed()[i])
+        largest = std::isnan(residual[i]) ?
+                    std::numeric_limits<double>::infinity() :
+                    std::max(largest, std::abs(residual[i]));
     rounding_multiple_ = 0.;
-    if (state.n_iterations > 0 &&
+    if (state.n_iterations > 0 && std::isfinite(largest) &&
         largest > settings_.time.residual_tolerance * scale)
       {
         const Vector<double> rounding = force_rounding(step_size);
@@ -99,7 +102,11 @@ namespace Signorini
                 std::max(rounding_multiple_, size / rounding[i]);
             }
       }
-    state.residual = largest == 0. ? 0. : largest / scale;
+    // A scale without end does not make a residual small.
+    state.residual = largest == 0. ? 0. :
+                     std::isfinite(largest / scale) ?
+                                     largest / scale :
+                                     std::numeric_limits<double>::infinity();
     residuals_.push_back(state.residual);
   }
 

@@ -3,6 +3,8 @@
 #include <signorini/simulation/time_step.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Signorini
 {

@@ -112,6 +112,22 @@ namespace Signorini
 
 
   template <int dim>
+  EntryConditions
+  Body<dim>::conditions()
+  {
+    EntryConditions list = mesh_conditions<dim>();
+    list.push_back(read_with({"Thickness"},
+                             "Formulation",
+                             {"plane strain", "plane stress"}));
+    list.push_back(read_with({"Mass damping", "Stiffness damping"},
+                             "Time/Analysis",
+                             {"dynamic"}));
+    return list;
+  }
+
+
+
+  template <int dim>
   Body<dim>::Body(const std::string      &name,
                   const Formulation       formulation,
                   const Kinematics        kinematics,

@@ -1,4 +1,5 @@
 #include <signorini/input_error.h>
+#include <signorini/regular_file.h>
 #include <signorini/solid/displacement_files.h>
 
 #include <charconv>
@@ -27,6 +28,7 @@ namespace Signorini
     std::string
     content_of(const std::string &file_name)
     {
+      require_regular_file(file_name, largest_data);
       std::ifstream file(file_name, std::ios::binary);
       if (!file)
         refuse(file_name, "cannot be read.");

@@ -108,6 +108,20 @@ namespace Signorini
 
 
   template <int dim>
+  EntryConditions
+  Loads<dim>::conditions()
+  {
+    return {read_if_set({"Rotation centre", "Rotation axis"},
+                        "Angular velocity"),
+            read_with({"Rotation axis"}, "Formulation", {"three dimensional"}),
+            read_with({"Rotation centre"},
+                      "Formulation",
+                      {"plane strain", "plane stress", "three dimensional"})};
+  }
+
+
+
+  template <int dim>
   Loads<dim>::Loads(const Body<dim>  &body,
                     const Constants  &constants,
                     ParameterHandler &prm)
@@ -120,12 +134,14 @@ namespace Signorini
       body_forces_.emplace_back(prm.get("Body force"),
                                 dim,
                                 constants,
-                                section(body) + "Body force");
+                                section(body) + "Body force",
+                                Dependence::space_and_time);
     if (!prm.get("Gravity").empty())
       accelerations_.emplace_back(prm.get("Gravity"),
                                   dim,
                                   constants,
-                                  section(body) + "Gravity");
+                                  section(body) + "Gravity",
+                                  Dependence::space_and_time);
     parse_point_forces(constants, prm);
     parse_rotation(constants, prm);
     prm.leave_subsection();
@@ -145,10 +161,13 @@ namespace Signorini
          parse_named_list(prm.get(entry_name), entry))
       try
         {
-          boundary_loads_.push_back(
-            {body_->mesh().boundary(name),
-             is_pressure,
-             Function(value, is_pressure ? 1 : dim, constants, entry)});
+          boundary_loads_.push_back({body_->mesh().boundary(name),
+                                     is_pressure,
+                                     Function(value,
+                                              is_pressure ? 1 : dim,
+                                              constants,
+                                              entry,
+                                              Dependence::space_and_time)});
         }
       catch (const InputError &error)
         {
@@ -171,7 +190,7 @@ namespace Signorini
          parse_named_list(prm.get("Point force"), entry))
       point_forces_.push_back(
         {body_->node_near(parse_point<dim>(point, entry), entry),
-         Function(value, dim, constants, entry)});
+         Function(value, dim, constants, entry, Dependence::space_and_time)});
   }
 
 
@@ -185,7 +204,8 @@ namespace Signorini
     rotation_.emplace_back(prm.get("Angular velocity"),
                            1,
                            constants,
-                           section(*body_) + "Angular velocity");
+                           section(*body_) + "Angular velocity",
+                           Dependence::time);
     if (!prm.get("Rotation centre").empty())
       rotation_centre_ = parse_point<dim>(prm.get("Rotation centre"),
                                           section(*body_) + "Rotation centre");

@@ -3,6 +3,7 @@
 #include <signorini/nearest_name.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/solid/solid_model.h>
+#include <signorini/time/motion_rates.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -393,12 +394,9 @@ namespace Signorini
     for (unsigned int l = 0; l < lumped_.size(); ++l)
       if (const auto &motion = lumped_[l].motion)
         {
-          const double before          = motion(time - difference);
-          const double now             = motion(time);
-          const double after           = motion(time + difference);
-          velocity[first_lumped() + l] = (after - before) / (2. * difference);
-          acceleration[first_lumped() + l] =
-            (after - 2. * now + before) / (difference * difference);
+          const MotionRates rates      = motion_rates(motion, time, difference);
+          velocity[first_lumped() + l] = rates.velocity;
+          acceleration[first_lumped() + l] = rates.acceleration;
         }
     constraints_.distribute(velocity);
     constraints_.distribute(acceleration);

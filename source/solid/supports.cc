@@ -2,6 +2,7 @@
 #include <signorini/named_errors.h>
 #include <signorini/named_list.h>
 #include <signorini/solid/supports.h>
+#include <signorini/time/motion_rates.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/manifold.h>
@@ -168,7 +169,11 @@ namespace Signorini
             throw InputError(prescribed + ": found \"" + motion +
                              "\". Write \"component = expression\".");
           motions_.push_back(std::make_unique<SpaceTimeFunction<dim>>(
-            motion.substr(equal + 1), 1, constants, prescribed));
+            motion.substr(equal + 1),
+            1,
+            constants,
+            prescribed,
+            Dependence::space_and_time));
           add(nodes_at(body, place, prescribed),
               parse_component<dim>(Utilities::trim(motion.substr(0, equal)),
                                    prescribed),
@@ -307,12 +312,13 @@ namespace Signorini
         velocity[dof] = acceleration[dof] = 0.;
         if (!motion || !motion->depends_on_time())
           continue;
-        const double before = motion->value(point, time - difference);
-        const double now    = motion->value(point, time);
-        const double after  = motion->value(point, time + difference);
-        velocity[dof]       = (after - before) / (2. * difference);
-        acceleration[dof] =
-          (after - 2. * now + before) / (difference * difference);
+        const MotionRates rates =
+          motion_rates([&point = point, motion = motion](
+                         const double t) { return motion->value(point, t); },
+                       time,
+                       difference);
+        velocity[dof]     = rates.velocity;
+        acceleration[dof] = rates.acceleration;
       }
   }
 

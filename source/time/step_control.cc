@@ -126,13 +126,13 @@ namespace Signorini
                       "tolerance. Unit: s.");
     prm.declare_entry("Iterations of an easy step",
                       "5",
-                      Patterns::Integer(1),
+                      Patterns::Integer(1, 10000),
                       "Automatic steps that take at most so many iterations "
                       "let the next ones grow.");
     prm.declare_entry(
       "Time error tolerance",
       "0",
-      Patterns::Double(0.),
+      Patterns::Double(0., 1.),
       "Largest error of an automatic step in dynamics, relative "
       "to the way that the largest speed so far makes in the "
       "step; 0: not estimated. With the trapezoidal rule it is "
@@ -144,6 +144,18 @@ namespace Signorini
                       "Times, separated by commas, at which a step has to end, "
                       "because a load or a motion has a jump or a kink there. "
                       "Unit: s.");
+  }
+
+
+
+  EntryConditions
+  StepControl::conditions()
+  {
+    return {contradiction(read_with({"Maximal step size",
+                                     "Iterations of an easy step",
+                                     "Time error tolerance"},
+                                    "Step control",
+                                    {"automatic"}))};
   }
 
 
@@ -171,6 +183,13 @@ namespace Signorini
         control.times_to_meet.push_back(time);
       }
     std::sort(control.times_to_meet.begin(), control.times_to_meet.end());
+    // Beyond it a time and the next one are the same number.
+    if (control.minimal_size > 0. && control.minimal_size < 1e-12 * end_time)
+      throw InputError(
+        "Time / Minimal step size: found " + number(control.minimal_size) +
+        " s, which is less than 1e-12 of the End time of " + number(end_time) +
+        " s: times so close cannot be told apart. Choose a "
+        "greater one, or 0 for 1/1024 of the Step size.");
     if (control.minimal_size > control.initial_size)
       throw InputError("Time / Minimal step size: found " +
                        number(control.minimal_size) +

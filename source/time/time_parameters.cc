@@ -165,16 +165,46 @@ namespace Signorini
                       "consistent, or lumped by row sums.");
     prm.declare_entry("Maximal iterations",
                       "25",
-                      Patterns::Integer(1),
+                      Patterns::Integer(1, 10000),
                       "A step that needs more iterations is cut in half.");
     prm.declare_entry("Residual tolerance",
                       "1e-9",
-                      Patterns::Double(0.),
+                      Patterns::Double(1e-15, 1e-3),
                       "Largest unbalanced nodal force, relative to the largest "
                       "nodal force of the step, and largest optimality (KKT) "
                       "residual of the contact problem at which a step has "
                       "converged. Unit: 1.");
     prm.leave_subsection();
+  }
+
+
+
+  EntryConditions
+  TimeParameters::conditions()
+  {
+    EntryConditions list = {
+      contradiction(
+        read_with({"Spectral radius"}, "Scheme", {"Chung-Hulbert"})),
+      contradiction(read_with({"alpha_B"}, "Scheme", {"generalized alpha"})),
+      contradiction(
+        read_with({"alpha_H"}, "Scheme", {"HHT", "generalized alpha"})),
+      contradiction(read_with({"beta", "gamma"},
+                              "Scheme",
+                              {"Newmark", "generalized alpha"})),
+      read_with({"Scheme",
+                 "Spectral radius",
+                 "alpha_B",
+                 "alpha_H",
+                 "beta",
+                 "gamma",
+                 "Contact mass",
+                 "Contact work",
+                 "Mass matrix"},
+                "Analysis",
+                {"dynamic"})};
+    for (const EntryCondition &condition : StepControl::conditions())
+      list.push_back(condition);
+    return list;
   }
 
 
@@ -224,6 +254,15 @@ namespace Signorini
                        " s. Choose a step that is not longer than the run.");
     parameters.step_control =
       StepControl::parse(parameters.end_time, parameters.dynamic, prm);
+    // More fixed ones would take days; automatic ones begin with short steps.
+    const double most_steps = parameters.step_control.automatic ? 1e12 : 1e8;
+    const double n_steps    = parameters.end_time / parameters.step_size;
+    if (n_steps > most_steps * (1. + 1e-9))
+      throw InputError("Time / Step size: found " +
+                       number(parameters.step_size) + " s, which makes " +
+                       number(n_steps) + " steps to the End time of " +
+                       number(parameters.end_time) + " s; allowed are " +
+                       number(most_steps) + ". Choose a longer step.");
     prm.leave_subsection();
     return parameters;
   }

@@ -1,4 +1,6 @@
 #include <signorini/input_error.h>
+#include <signorini/named_errors.h>
+#include <signorini/regular_file.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 #include <signorini/variational_inequality/interface_error.h>
@@ -101,6 +103,8 @@ namespace Signorini
   std::string
   compare_algorithms_on_file(const std::string &path)
   {
+    with_path("Interface problem ",
+              [&] { require_regular_file(path, largest_data); });
     std::ifstream file(path);
     if (!file)
       throw InputError("Interface problem \"" + path +

@@ -53,10 +53,31 @@ namespace Signorini
       "Unit: m.");
     prm.declare_entry("Maximal iterations",
                       "1000",
-                      Patterns::Integer(1),
+                      Patterns::Integer(1, 1000000),
                       "Updates of the contact forces after which augmented "
                       "Lagrangian gives up with an error, and two step leaves "
                       "the rest to a slower, safer method. Unit: 1.");
+  }
+
+
+
+  EntryConditions
+  AlgorithmParameters::conditions()
+  {
+    return {contradiction(
+              read_with({"Penalty stiffness", "Tangential penalty stiffness"},
+                        "Algorithm",
+                        {"penalty", "augmented Lagrangian"})),
+            contradiction(
+              read_with({"Regularisation slip"}, "Algorithm", {"two step"})),
+            contradiction(read_with({"Penetration tolerance"},
+                                    "Algorithm",
+                                    {"augmented Lagrangian"})),
+            contradiction(read_with({"Maximal iterations"},
+                                    "Algorithm",
+                                    {"augmented Lagrangian", "two step"})),
+            read_if_set({"Tangential penalty stiffness", "Regularisation slip"},
+                        "Friction coefficient")};
   }
 
 

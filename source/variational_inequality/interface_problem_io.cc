@@ -84,6 +84,18 @@ namespace Signorini
         return value;
       }
 
+      // A size may be wrong, and the memory for it not there.
+      void
+      expect_numbers(const double n, const std::string &what) const
+      {
+        const std::istream::pos_type here = in.tellg();
+        in.seekg(0, std::ios::end);
+        const double left = in.tellg() - here;
+        in.seekg(here);
+        if (left < 2. * n - 1.) // a digit and a blank each
+          fail("as many numbers of " + what + " as the size asks for");
+      }
+
     private:
       std::istream      &in;
       const std::string &name;
@@ -94,6 +106,7 @@ namespace Signorini
                    const unsigned int n,
                    InterfaceProblem  &problem)
     {
+      reader.expect_numbers(0.5 * n * (n + 1.), "the factor");
       std::vector<double> lower(std::size_t(n) * n, 0.);
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j <= i; ++j)

@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(wrong_files)
   BOOST_TEST(message_of([]() { ParameterFile::read("nowhere/beam.prm"); }) ==
              "\"nowhere/beam.prm\" does not exist.");
   BOOST_TEST(message_of([]() { ParameterFile::read("prm"); }) ==
-             "\"prm\" is a folder. A .prm file is expected.");
+             "\"prm\" is a folder. A file is expected.");
   BOOST_TEST(message_for("\ninclude sub/x.prm\n") ==
              "prm/a.prm:2: \"prm/sub/x.prm\" does not exist.");
   write_file("prm/b.prm", "# b\ninclude a.prm\n");

@@ -1,11 +1,10 @@
 #ifndef signorini_contact_friction_law_h
 #define signorini_contact_friction_law_h
 
-#include <signorini/space_time_function.h>
+#include <signorini/formula.h>
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -77,7 +76,7 @@ namespace Signorini
     double                static_coefficient_ = 0.;
     std::optional<double> kinetic_coefficient_;
 
-    std::shared_ptr<dealii::FunctionParser<1>> coefficient_of_rate_; // mu(v)
+    std::optional<Formula> coefficient_of_rate_; // mu(v)
 
     double largest_shear_stress_ = std::numeric_limits<double>::infinity();
   };

@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_target.h>
 #include <signorini/contact/rigid_placement.h>
 #include <signorini/contact/rigid_surface.h>
+#include <signorini/entry_condition.h>
 #include <signorini/solid/lumped_unknown.h>
 #include <signorini/space_time_function.h>
 
@@ -27,6 +28,10 @@ namespace Signorini
     /** Declares the entries of a section `Rigid body NAME`, from inside it. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /**
      * Reads the section, from inside it.
@@ -100,6 +105,7 @@ namespace Signorini
     std::unique_ptr<SpaceTimeFunction<dim>>
     parse_function(const std::string              &entry,
                    const unsigned int              n_values,
+                   const Dependence                dependence,
                    const Constants                &constants,
                    const dealii::ParameterHandler &prm) const;
 

@@ -1,6 +1,8 @@
 #ifndef signorini_contact_rigid_surface_h
 #define signorini_contact_rigid_surface_h
 
+#include <signorini/entry_condition.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -62,6 +64,11 @@ namespace Signorini
   template <int dim>
   void
   declare_rigid_surface_parameters(dealii::ParameterHandler &prm);
+
+  /** Which entries and subsections are read under which choice. */
+  template <int dim>
+  EntryConditions
+  rigid_surface_conditions();
 
   /**
    * Reads them.

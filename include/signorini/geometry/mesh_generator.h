@@ -1,6 +1,7 @@
 #ifndef signorini_geometry_mesh_generator_h
 #define signorini_geometry_mesh_generator_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/geometry/mesh.h>
 
 #include <string>
@@ -49,6 +50,11 @@ namespace Signorini
   template <int dim>
   void
   declare_mesh_parameters(dealii::ParameterHandler &prm);
+
+  /** Which entries and subsections are read under which choice. */
+  template <int dim>
+  EntryConditions
+  mesh_conditions();
 
   /**
    * Reads the entries declared by declare_mesh_parameters() and makes the mesh.

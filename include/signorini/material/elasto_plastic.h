@@ -1,6 +1,7 @@
 #ifndef signorini_material_elasto_plastic_h
 #define signorini_material_elasto_plastic_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/material/elastic.h>
 #include <signorini/material/kinematic_hardening.h>
 #include <signorini/material/rate_dependence.h>
@@ -46,6 +47,10 @@ namespace Signorini
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /**
      * @param base_directory to which names of files are relative

@@ -1,6 +1,7 @@
 #ifndef signorini_material_material_h
 #define signorini_material_material_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/input_error.h>
 
 #include <deal.II/base/array_view.h>
@@ -154,6 +155,10 @@ namespace Signorini
   void
   declare_material_parameters(const std::string        &section,
                               dealii::ParameterHandler &prm);
+
+  /** Which entries and subsections are read under which choice. */
+  EntryConditions
+  material_conditions();
 
   /**
    * Reads the section of this name.

@@ -1,6 +1,8 @@
 #ifndef signorini_material_rate_dependence_h
 #define signorini_material_rate_dependence_h
 
+#include <signorini/entry_condition.h>
+
 namespace dealii
 {
   class ParameterHandler;
@@ -27,6 +29,10 @@ namespace Signorini
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** @throws InputError. */
     static RateDependence

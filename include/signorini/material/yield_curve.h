@@ -1,6 +1,8 @@
 #ifndef signorini_material_yield_curve_h
 #define signorini_material_yield_curve_h
 
+#include <signorini/entry_condition.h>
+
 #include <string>
 #include <vector>
 
@@ -54,6 +56,10 @@ namespace Signorini
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /**
      * @param base_directory to which the name of a file is relative

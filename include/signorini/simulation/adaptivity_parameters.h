@@ -1,6 +1,8 @@
 #ifndef signorini_simulation_adaptivity_parameters_h
 #define signorini_simulation_adaptivity_parameters_h
 
+#include <signorini/entry_condition.h>
+
 #include <string>
 #include <vector>
 
@@ -26,6 +28,10 @@ namespace Signorini
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** @throws InputError. */
     static AdaptivityParameters

@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
+#include <signorini/entry_condition.h>
 #include <signorini/simulation/pair_parameters.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/space_time_function.h>
@@ -27,6 +28,10 @@ namespace Signorini
     static void
     declare_parameters(const std::vector<std::string> &pairs,
                        dealii::ParameterHandler       &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** @throws InputError. */
     static ContactParameters

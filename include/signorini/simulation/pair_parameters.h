@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/friction_law.h>
 #include <signorini/contact/surface_interpolation.h>
+#include <signorini/entry_condition.h>
 #include <signorini/space_time_function.h>
 
 #include <string>
@@ -37,6 +38,10 @@ namespace Signorini
     static void
     declare_parameters(const std::vector<std::string> &pairs,
                        dealii::ParameterHandler       &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** Reads those of a pair, from inside of `Contact'. @throws InputError. */
     static PairParameters

@@ -55,6 +55,10 @@ namespace Signorini
     std::string
     where(const std::string &path) const;
 
+    /** The last statement of each entry, in the order of the sections. */
+    std::vector<ParameterStatement>
+    assignments() const;
+
     /** The path the file was read from. */
     const std::string &
     path() const;

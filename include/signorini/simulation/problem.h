@@ -7,6 +7,7 @@
 #include <signorini/simulation/contact_parameters.h>
 #include <signorini/simulation/output_parameters.h>
 #include <signorini/simulation/problem_outline.h>
+#include <signorini/simulation/unread_entries.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/time_parameters.h>
 
@@ -21,6 +22,11 @@ namespace Signorini
   void
   declare_problem_parameters(const ProblemOutline     &outline,
                              dealii::ParameterHandler &prm);
+
+  /** Which of them are read under which choice. */
+  template <int dim>
+  ConditionList
+  problem_conditions(const ProblemOutline &outline);
 
   /** A whole .prm, made into objects: all that a run needs to begin. */
   template <int dim>

@@ -1,6 +1,7 @@
 #ifndef signorini_solid_body_h
 #define signorini_solid_body_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/geometry/mesh.h>
 #include <signorini/geometry/refinement_passes.h>
 #include <signorini/material/material.h>
@@ -48,6 +49,10 @@ namespace Signorini
     static void
     declare_parameters(const std::vector<std::string> &regions,
                        dealii::ParameterHandler       &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /**
      * Reads the section, from inside it.

@@ -1,6 +1,7 @@
 #ifndef signorini_solid_loads_h
 #define signorini_solid_loads_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/solid/body.h>
 #include <signorini/space_time_function.h>
 
@@ -20,6 +21,10 @@ namespace Signorini
     /** Declares the section `Loads`. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** Reads the section `Loads` of this body. @throws InputError. */
     Loads(const Body<dim>          &body,

@@ -57,9 +57,9 @@ namespace Signorini
                       dealii::Vector<double> &displacement) const;
 
     /**
-     * Writes the velocities and accelerations of the given motion, by central
-     * differences over a hundredth of the step size. Newmark's formulas would
-     * let them ring, since nothing follows from these values.
+     * Writes the velocities and accelerations of the given motion, by
+     * motion_rates() over a hundredth of the step size. Newmark's formulas
+     * would let them ring, since nothing follows from these values.
      */
     void
     set_rates(const double            time,

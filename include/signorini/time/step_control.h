@@ -1,6 +1,8 @@
 #ifndef signorini_time_step_control_h
 #define signorini_time_step_control_h
 
+#include <signorini/entry_condition.h>
+
 #include <string>
 #include <vector>
 
@@ -25,6 +27,10 @@ namespace Signorini
     /** From inside the section. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /**
      * From inside the section.

@@ -1,6 +1,7 @@
 #ifndef signorini_time_time_parameters_h
 #define signorini_time_time_parameters_h
 
+#include <signorini/entry_condition.h>
 #include <signorini/time/generalized_alpha.h>
 #include <signorini/time/step_control.h>
 
@@ -46,6 +47,10 @@ namespace Signorini
 
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** @throws InputError when a combination makes no sense. */
     static TimeParameters

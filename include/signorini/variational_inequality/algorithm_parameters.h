@@ -1,6 +1,8 @@
 #ifndef signorini_variational_inequality_algorithm_parameters_h
 #define signorini_variational_inequality_algorithm_parameters_h
 
+#include <signorini/entry_condition.h>
+
 #include <string>
 
 namespace dealii
@@ -29,6 +31,10 @@ namespace Signorini
     /** Declares the entries in the section that @p prm is in. */
     static void
     declare_parameters(dealii::ParameterHandler &prm);
+
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
 
     /** Reads the entries from the section that @p prm is in. */
     static AlgorithmParameters
