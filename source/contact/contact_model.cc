@@ -219,16 +219,26 @@ namespace Signorini
           const auto target = closest_to(of_pair, {{node, 1.}});
           return target && target->gap <= 0.;
         };
+        // A straight way cuts a curved surface, and comes out on its side.
+        const auto is_on_side = [&](const unsigned int    node,
+                                    const Tensor<1, dim> &normal) {
+          constexpr double same   = 0.966; // within 15 degrees
+          const auto       target = closest_to(placed, {{node, 1.}});
+          return target && target->gap >= 0. && target->normal * normal > same;
+        };
         for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
           {
             const unsigned int k    = pair.first_contact + n;
             const unsigned int node = pair.node_of_candidate[n];
-            if (!closed[k] && start_gaps[k] > 0. &&
-                (allowance.depths.empty() || allowance.depths[n] == 0.) &&
-                placed.target->is_passed(placed.positions_before[node],
+            if (closed[k] || start_gaps[k] <= 0. ||
+                (!allowance.depths.empty() && allowance.depths[n] != 0.))
+              continue;
+            const auto side =
+              placed.target->passed_side(placed.positions_before[node],
                                          placed.positions[node],
                                          start_gaps[k],
-                                         pair.contactor.nodes[n].dofs[0]) &&
+                                         pair.contactor.nodes[n].dofs[0]);
+            if (side && !is_on_side(node, *side) &&
                 !(placed_before && (rests_inside(*placed_before, node) ||
                                     rests_inside(placed, node))))
               passed.push_back(k);

@@ -152,11 +152,11 @@ namespace Signorini
       std::optional<TargetPoint<2>>
       closest(const ContactorPoint<2> &point) const override;
 
-      bool
-      is_passed(const Point<2>    &start,
-                const Point<2>    &end,
-                const double       start_gap,
-                const unsigned int unknown) const override;
+      std::optional<Tensor<1, 2>>
+      passed_side(const Point<2>    &start,
+                  const Point<2>    &end,
+                  const double       start_gap,
+                  const unsigned int unknown) const override;
 
       std::vector<Point<2>>
       joints() const override;
@@ -259,11 +259,11 @@ namespace Signorini
 
 
 
-    bool
-    PlacedCurve::is_passed(const Point<2>    &start,
-                           const Point<2>    &end,
-                           const double       start_gap,
-                           const unsigned int unknown) const
+    std::optional<Tensor<1, 2>>
+    PlacedCurve::passed_side(const Point<2>    &start,
+                             const Point<2>    &end,
+                             const double       start_gap,
+                             const unsigned int unknown) const
     {
       const auto own = place_of_unknown_.find(unknown);
       for (unsigned int c = 0; c < chains_.size(); ++c)
@@ -280,9 +280,9 @@ namespace Signorini
             CurveCrossing(before, chain.curve).first(start, end);
           if (crossing && depth_behind(*crossing, chain, start, end) >
                             passage_depth(start, motion))
-            return true;
+            return chain.curve.normal(crossing->place);
         }
-      return false;
+      return {};
     }
 
 

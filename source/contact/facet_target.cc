@@ -54,11 +54,11 @@ namespace Signorini
       std::optional<TargetPoint<3>>
       closest(const ContactorPoint<3> &point) const override;
 
-      bool
-      is_passed(const Point<3>    &start,
-                const Point<3>    &end,
-                const double       start_gap,
-                const unsigned int unknown) const override;
+      std::optional<Tensor<1, 3>>
+      passed_side(const Point<3>    &start,
+                  const Point<3>    &end,
+                  const double       start_gap,
+                  const unsigned int unknown) const override;
 
     private:
       // sum_a N_a v_a over the nodes of a facet.
@@ -260,14 +260,14 @@ namespace Signorini
 
 
     // Each facet where it was, and the path as seen from it.
-    bool
-    PlacedFacets::is_passed(const Point<3>    &start,
-                            const Point<3>    &end,
-                            const double       start_gap,
-                            const unsigned int unknown) const
+    std::optional<Tensor<1, 3>>
+    PlacedFacets::passed_side(const Point<3>    &start,
+                              const Point<3>    &end,
+                              const double       start_gap,
+                              const unsigned int unknown) const
     {
       if (std::min(start_gap, reach_) >= start.distance(end) + largest_motion_)
-        return false;
+        return {};
       const double tolerance =
         passage_depth(start, end.distance(start) + largest_motion_);
       for (unsigned int f = 0; f < surface_.faces.size(); ++f)
@@ -286,11 +286,16 @@ namespace Signorini
                 {positions_[face[a]], positions_[face[b]], positions_[face[c]]}};
             return moving;
           };
-          if (passes(start, end, triangle(0, 1, 2), tolerance) ||
-              passes(start, end, triangle(1, 3, 2), tolerance))
-            return true;
+          for (const auto &moving : {triangle(0, 1, 2), triangle(1, 3, 2)})
+            if (passes(start, end, moving, tolerance))
+              {
+                const Tensor<1, 3> normal =
+                  cross_product_3d(moving.end[1] - moving.end[0],
+                                   moving.end[2] - moving.end[0]);
+                return normal / normal.norm();
+              }
         }
-      return false;
+      return {};
     }
 
 

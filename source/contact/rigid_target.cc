@@ -26,11 +26,11 @@ namespace Signorini
       std::optional<TargetPoint<dim>>
       closest(const ContactorPoint<dim> &point) const override;
 
-      bool
-      is_passed(const Point<dim>  &start,
-                const Point<dim>  &end,
-                const double       start_gap,
-                const unsigned int unknown) const override;
+      std::optional<Tensor<1, dim>>
+      passed_side(const Point<dim>  &start,
+                  const Point<dim>  &end,
+                  const double       start_gap,
+                  const unsigned int unknown) const override;
 
     private:
       void
@@ -80,11 +80,11 @@ namespace Signorini
     // The body turns on the way, since a straight path in the body would cut
     // off arcs of a circle that turns in its place.
     template <int dim>
-    bool
-    PlacedRigidTarget<dim>::is_passed(const Point<dim> &start,
-                                      const Point<dim> &end,
-                                      const double /*start_gap*/,
-                                      const unsigned int /*unknown*/) const
+    std::optional<Tensor<1, dim>>
+    PlacedRigidTarget<dim>::passed_side(const Point<dim> &start,
+                                        const Point<dim> &end,
+                                        const double /*start_gap*/,
+                                        const unsigned int /*unknown*/) const
     {
       const Tensor<1, dim> motion =
         (end - start) - (now_.translation - before_.translation);
@@ -97,6 +97,7 @@ namespace Signorini
       const double           depth  = passage_depth(start, length);
       constexpr unsigned int most   = 100; // a path that grazes comes no nearer
       double                 passed = 0.;  // along the path
+      Tensor<1, dim>         side; // of the body, that the point saw last
       for (unsigned int i = 0; i < most && passed < length; ++i)
         {
           const double        share      = passed / length;
@@ -107,12 +108,13 @@ namespace Signorini
             rotation_by<dim>(share * angle) * before_.rotation;
           const Point<dim> X =
             on_the_way.to_body(start + share * (end - start));
-          const double gap = body_.surface().closest(X).gap;
-          if (gap < -depth && passed > 0.)
-            return true;
-          passed += std::max(gap, 1e-3 * length);
+          const auto found = body_.surface().closest(X);
+          if (found.gap < -depth && passed > 0.)
+            return now_.rotation * side;
+          side = found.normal;
+          passed += std::max(found.gap, 1e-3 * length);
         }
-      return false;
+      return {};
     }
 
 

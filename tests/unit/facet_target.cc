@@ -208,10 +208,12 @@ BOOST_AUTO_TEST_CASE(passage)
   const auto        still  = target.place({boxes.u, 1.}, {boxes.u, 0.});
   const auto        rising = target.place({moved, 1.}, {boxes.u, 0.});
   const auto passes = [](const auto &placed, const double z, const double to) {
-    return placed->is_passed(Point<3>(0.4, 0.55, z),
-                             Point<3>(0.41, 0.5, to),
-                             std::abs(z - 1.),
-                             numbers::invalid_unsigned_int);
+    return placed
+      ->passed_side(Point<3>(0.4, 0.55, z),
+                    Point<3>(0.41, 0.5, to),
+                    std::abs(z - 1.),
+                    numbers::invalid_unsigned_int)
+      .has_value();
   };
   BOOST_TEST(passes(still, 1.2, 0.7));
   BOOST_TEST(!passes(still, 1.2, 1.));
@@ -219,10 +221,12 @@ BOOST_AUTO_TEST_CASE(passage)
   BOOST_TEST(!passes(still, 0.7, 1.2));
   BOOST_TEST(passes(rising, 1.2, 1.4));
   BOOST_TEST(!passes(rising, 1.2, 1.6));
-  BOOST_TEST(!still->is_passed(Point<3>(1.4, 0.5, 1.2),
-                               Point<3>(1.4, 0.5, 0.7),
-                               0.2,
-                               numbers::invalid_unsigned_int));
+  BOOST_TEST(!still
+                ->passed_side(Point<3>(1.4, 0.5, 1.2),
+                              Point<3>(1.4, 0.5, 0.7),
+                              0.2,
+                              numbers::invalid_unsigned_int)
+                .has_value());
 }
 
 

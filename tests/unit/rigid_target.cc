@@ -78,7 +78,9 @@ BOOST_AUTO_TEST_CASE(passages_of_a_turning_body)
       const auto           body = rigid_body(section);
       const RigidTarget<2> target(*body);
       const Vector<double> q(2);
-      return target.place({q, 1.}, {q, 0.})->is_passed(start, end, 1., 0);
+      return target.place({q, 1.}, {q, 0.})
+        ->passed_side(start, end, 1., 0)
+        .has_value();
     };
   // On the chord the point would come 15 mm inside.
   const Point<2> beside(0.3 + 0.5 + 1e-4, 0.1);

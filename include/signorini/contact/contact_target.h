@@ -89,17 +89,20 @@ namespace Signorini
     closest(const ContactorPoint<dim> &point) const = 0;
 
     /**
-     * Does a point that is outside at both ends of the step pass through the
-     * target in between, deeper than passage_depth()? Positions are those of
+     * Where a point that is outside at both ends of the step goes through the
+     * target in between, deeper than passage_depth(): the outward normal of the
+     * target where the point went in, as it is now; none if it does not. What
+     * comes out on the same side has grazed a curved surface, not passed it:
+     * that is for the caller to tell. Positions are those of
      * the start and the end; the point and the target move evenly.
      * @param start_gap m, infinite if the target was out of reach
      * @param unknown   of the point itself: what contains it is not passed
      */
-    virtual bool
-    is_passed(const dealii::Point<dim> &start,
-              const dealii::Point<dim> &end,
-              const double              start_gap,
-              const unsigned int        unknown) const = 0;
+    virtual std::optional<dealii::Tensor<1, dim>>
+    passed_side(const dealii::Point<dim> &start,
+                const dealii::Point<dim> &end,
+                const double              start_gap,
+                const unsigned int        unknown) const = 0;
 
     /** Where the interpolation of the surface changes: its nodes, m. */
     virtual std::vector<dealii::Point<dim>>
