@@ -91,7 +91,7 @@ namespace Signorini
                        "a contact at rest, too.");
     const Formula formula = parse_rate_function(kinetic, constants, entry);
     if (formula.depends_on("v"))
-      law.coefficient_of_rate_ = formula;
+      law.coefficient_of_rate_ = std::make_shared<const Formula>(formula);
     else
       law.kinetic_coefficient_ = formula.value({0.});
     return law;

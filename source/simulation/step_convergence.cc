@@ -104,7 +104,7 @@ namespace Signorini
       }
     // A scale without end does not make a residual small.
     state.residual = largest == 0. ? 0. :
-                     std::isfinite(largest / scale) ?
+                     std::isfinite(scale) ?
                                      largest / scale :
                                      std::numeric_limits<double>::infinity();
     residuals_.push_back(state.residual);

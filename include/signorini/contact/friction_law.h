@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -76,7 +77,7 @@ namespace Signorini
     double                static_coefficient_ = 0.;
     std::optional<double> kinetic_coefficient_;
 
-    std::optional<Formula> coefficient_of_rate_; // mu(v)
+    std::shared_ptr<const Formula> coefficient_of_rate_; // mu(v)
 
     double largest_shear_stress_ = std::numeric_limits<double>::infinity();
   };
