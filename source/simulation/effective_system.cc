@@ -40,13 +40,13 @@ namespace Signorini
 
     // False if the matrix is not positive definite, or too weak.
     bool
-    set_if_definite(const FullMatrix<double> &matrix,
-                    const double              weakest,
-                    InterfaceProblem         &problem)
+    set_if_definite(FullMatrix<double> matrix,
+                    const double       weakest,
+                    InterfaceProblem  &problem)
     {
       try
         {
-          auto       stiffness = InterfaceStiffness::from_matrix(matrix);
+          auto stiffness = InterfaceStiffness::from_matrix(std::move(matrix));
           const bool is_strong =
             weakest == 0. || stiffness.smallest_pivot() > weakest;
           if (is_strong)
@@ -57,6 +57,19 @@ namespace Signorini
         {
           return false;
         }
+    }
+
+    // Forces on a curved surface turn, and change their places, as it is moved
+    // along.
+    template <int dim>
+    bool
+    has_geometric_stiffness(const std::vector<ContactPoint<dim>> &points,
+                            const std::vector<double>            &normal_forces)
+    {
+      for (unsigned int k = 0; k < normal_forces.size(); ++k)
+        if (normal_forces[k] != 0. && !points[k].curvatures.empty())
+          return true;
+      return false;
     }
 
     double
@@ -268,7 +281,8 @@ namespace Signorini
         factorise_with_springs();
       }
     problem_.set_stiffness(solver_->interface_stiffness());
-    stiffness_ = solver_->interface_stiffness();
+    has_plain_stiffness_ = true;
+    stiffness_           = solver_->interface_stiffness();
     if (factors.mass == 0. && weakest_pivot_ == 0.)
       weakest_pivot_ = weakest_of(stiffness_);
     factors_       = factors;
@@ -368,18 +382,26 @@ namespace Signorini
     Vector<double>                       &reduced_force)
   {
     const bool is_as_factorised =
-      contact_.is_flat() && trailing_spring_.all_zero() &&
+      !has_geometric_stiffness(points, multipliers.normal) &&
+      trailing_spring_.all_zero() &&
       (!may_be_weak_ || stiffness_.smallest_pivot() > weakest_pivot_);
     if (is_as_factorised)
       {
+        if (!has_plain_stiffness_)
+          problem_.set_stiffness(InterfaceStiffness(stiffness_));
+        has_plain_stiffness_ = true;
         problem_.set_reduced_force(reduced_force);
         return algorithm_->solve(problem_, multipliers);
       }
+    has_plain_stiffness_ = false;
     stiffness_.multiply_factor(reduced_force);
-    const auto stiffness = interface_stiffness(points, multipliers);
     if (!free_modes_.empty() ||
-        !set_if_definite(stiffness, weakest_pivot_, problem_))
-      return solve_with_springs(stiffness, reduced_force, multipliers);
+        !set_if_definite(interface_stiffness(points, multipliers),
+                         weakest_pivot_,
+                         problem_))
+      return solve_with_springs(interface_stiffness(points, multipliers),
+                                reduced_force,
+                                multipliers);
     problem_.set_force(reduced_force);
     return algorithm_->solve(problem_, multipliers);
   }

@@ -310,7 +310,8 @@ namespace Signorini
                           task.input,
                           task.geometry,
                           task.passes,
-                          stream.str()});
+                          stream.str(),
+                          ""});
         return true;
       }
     catch (const ComputationError &error)

@@ -37,6 +37,7 @@ namespace Signorini
   {
     const auto timing = timings_.measure(
       solid_.is_linear() ? section_residual_ : section_assembly_);
+    tangent_displacement_.reinit(0); // until the tangent is whole
     try
       {
         SolidResponse response =
@@ -44,6 +45,8 @@ namespace Signorini
                          step_size,
                          old_state.history,
                          solid_.is_linear() ? nullptr : &tangent_);
+        if (!solid_.is_linear())
+          tangent_displacement_ = state.displacement;
         state.internal_force = std::move(response.internal_force);
         state.history        = std::move(response.history);
         state.energy.stored  = response.stored_energy;
@@ -56,6 +59,17 @@ namespace Signorini
       {
         throw StepFailed(failure.what());
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  TimeStep<dim>::has_tangent_of(const State &state) const
+  {
+    return state.history.empty() &&
+           tangent_displacement_.size() == state.displacement.size() &&
+           tangent_displacement_ == state.displacement;
   }
 
 
@@ -229,6 +243,8 @@ namespace Signorini
   TimeStep<2>::effective_factors(const double) const;
   template void
   TimeStep<2>::respond(const State &, const double, State &);
+  template bool
+  TimeStep<2>::has_tangent_of(const State &) const;
   template void
   TimeStep<2>::move_supports(const State &, const double, State &);
   template void
@@ -247,6 +263,8 @@ namespace Signorini
   TimeStep<3>::effective_factors(const double) const;
   template void
   TimeStep<3>::respond(const State &, const double, State &);
+  template bool
+  TimeStep<3>::has_tangent_of(const State &) const;
   template void
   TimeStep<3>::move_supports(const State &, const double, State &);
   template void

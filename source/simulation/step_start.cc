@@ -75,8 +75,9 @@ namespace Signorini
       largest_displacement_[i] = std::abs(state.displacement[i]);
     state.external_force =
       solid_.external_force(state.time, state.displacement);
-    if (!solid_.is_linear() && !predict(old_state, step, state))
-      respond(old_state, step.size, state); // for the tangent
+    if (!solid_.is_linear() && !predict(old_state, step, state) &&
+        !has_tangent_of(old_state))
+      respond(old_state, step.size, state);
     if (!solid_.supports_are_fixed())
       move_supports(old_state, step.size, state);
   }

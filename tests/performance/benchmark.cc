@@ -126,9 +126,11 @@ namespace
                           *problem.contact,
                           settings(problem),
                           timings);
-    const State start = time_step.initial_state(problem.initial_displacement,
-                                                problem.initial_velocity);
-    const auto  next  = [&](const State &state) {
+    const State start =
+      time_step.initial_state(problem.initial_displacement,
+                              problem.initial_velocity,
+                              problem.solid->initial_history());
+    const auto next = [&](const State &state) {
       return Step{state.step + 1, state.time, problem.time.step_size};
     };
     time_step.advance(start, next(start)); // factorises
@@ -154,7 +156,8 @@ namespace
     explicit RefactorisingStep(const Problem<2> &problem)
       : time_step(*problem.solid, *problem.contact, settings(problem), timings)
       , start(time_step.initial_state(problem.initial_displacement,
-                                      problem.initial_velocity))
+                                      problem.initial_velocity,
+                                      problem.solid->initial_history()))
       , step_size(problem.time.step_size)
     {}
 
@@ -253,7 +256,9 @@ namespace
             if (!touches)
               velocity *= -1.;
             const State start =
-              time_step.initial_state(problem.initial_displacement, velocity);
+              time_step.initial_state(problem.initial_displacement,
+                                      velocity,
+                                      problem.solid->initial_history());
             const auto step = [&](const State &state) {
               return time_step.advance(
                 state, {state.step + 1, state.time, problem.time.step_size});

@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/output/checkpoint.h>
+#include <signorini/output/run_folder.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -173,7 +174,7 @@ BOOST_AUTO_TEST_CASE(messages)
   const TemporaryFolder folder;
   BOOST_TEST(contains(error_of(folder), "There is no checkpoint in '"));
 
-  write_file(folder.file("last.checkpoint"), "something else\n");
+  write_file(result_file(folder.file("last.checkpoint")), "something else\n");
   BOOST_TEST(
     contains(error_of(folder),
              "is damaged: it does not begin like a checkpoint. There is no "

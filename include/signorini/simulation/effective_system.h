@@ -205,9 +205,10 @@ namespace Signorini
 
     InterfaceStiffness stiffness_; // with the springs
     InterfaceProblem   problem_;
-    unsigned int       section_factorisation_;
-    unsigned int       section_substitution_;
-    unsigned int       section_interface_;
+    bool         has_plain_stiffness_ = false; // the problem: as factorised
+    unsigned int section_factorisation_;
+    unsigned int section_substitution_;
+    unsigned int section_interface_;
   };
 } // namespace Signorini
 

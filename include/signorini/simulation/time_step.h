@@ -155,6 +155,12 @@ namespace Signorini
     void
     respond(const State &old_state, const double step_size, State &state);
 
+    // Whether the tangent at hand is that of this state in the next step, too:
+    // where the material has a history it may yield in the one and not in the
+    // other.
+    bool
+    has_tangent_of(const State &state) const;
+
     // Given motions at the time of `state'.
     void
     move_supports(const State &old_state, const double step_size, State &state);
@@ -290,6 +296,7 @@ namespace Signorini
 
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;
+    dealii::Vector<double>       tangent_displacement_; // where it is
     unsigned int                 section_residual_;
     unsigned int                 section_assembly_;
     unsigned int                 section_contact_;
