@@ -55,6 +55,24 @@ namespace Signorini
              (old_state.handed_over * carried - old_state.handed_over * motion);
     }
 
+    // What did that work: the force F_c on a node and its reaction P^T F_c
+    // where its mass went.
+    Vector<double>
+    landing_force(const MassRedistribution &redistribution,
+                  const State              &old_state,
+                  const unsigned int        n_unknowns)
+    {
+      if (old_state.handed_over.size() == 0)
+        return Vector<double>(n_unknowns);
+      Vector<double> reaction(old_state.handed_over);
+      for (unsigned int i = 0; i < n_unknowns; ++i)
+        if (redistribution.is_massless(i))
+          redistribution.hand_over(i, reaction);
+      Vector<double> force(old_state.handed_over);
+      force -= reaction;
+      return force;
+    }
+
     // The part of the ledger's work of contact that is none: of forces between
     // bodies all of it, since they are pairs; of a target with a given motion
     // what is not done by that motion.
@@ -127,6 +145,8 @@ namespace Signorini
 
     Vector<double> force(state.velocity.size());
     contact.add_contact_forces(points, forces, 1., force);
+    if (force.all_zero())
+      force = landing_force(mass.redistribution, old_state, force.size());
     if (force.all_zero())
       return;
     Vector<double> direction = system.respond(force);

@@ -191,22 +191,17 @@ namespace Signorini
         for (unsigned int i = 0; i < unknowns.size(); ++i)
           if (mass.diag_element(unknowns[i]) > 0.)
             least = std::min(least, change[i]);
-        const double share = least < -largest_loss ? -largest_loss / least : 1.;
         Vector<double> reached(missing.size());
         derivative.vmult(reached, coefficients);
-        reached *= share;
         reached -= missing;
+        if (least < -largest_loss || reached.linfty_norm() > 1e-10)
+          {
+            all_kept = false;
+            continue;
+          }
         component.for_each_entry(
           mass, [&](const unsigned int i, const unsigned int j, auto &&entry) {
-            entry.value() *= 1. + 0.5 * share * (change[i] + change[j]);
-          });
-        if (reached.linfty_norm() < 1e-10)
-          continue;
-        all_kept            = false;
-        const double factor = wanted[0] / component.moments(mass)[0];
-        component.for_each_entry(
-          mass, [&](const unsigned int, const unsigned int, auto &&entry) {
-            entry.value() *= factor;
+            entry.value() *= 1. + 0.5 * (change[i] + change[j]);
           });
       }
     return all_kept;

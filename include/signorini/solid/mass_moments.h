@@ -21,8 +21,9 @@ namespace Signorini
    * relative to the density, in the mean of its square. It is smooth, so that
    * no wave is reflected, and of second order in the size of the cells.
    *
-   * Where too few nodes have mass to bear all moments at positive masses (a
-   * body of one layer of cells), q is bounded; the mass is always kept.
+   * Where too few nodes have mass to bear all moments at positive masses (two
+   * layers of cells behind a surface in contact), M_r is left as it is, with
+   * the right mass.
    *
    * @return false if a moment was not kept.
    */
