@@ -203,9 +203,11 @@ namespace Signorini
     std::ostringstream message;
     message << "at t = " << time << " s body " << pair.body->name() << " and \""
             << pair.target->name() << "\" lie in each other at ("
-            << overlap.place << "), by " << overlap.depth
-            << " m, and no contact keeps them apart: the "
-            << "nodes of the contactor, " << overlap.length
+            << overlap.place << "), by " << overlap.depth << " m, and "
+            << (overlap.is_pressed ?
+                  "the contact forces nearby do not keep them apart" :
+                  "no contact keeps them apart")
+            << ": the nodes of the contactor, " << overlap.length
             << " m apart there, do not see it. Make the mesh of body "
             << pair.body->name() << " finer there";
     const bool is_rigid = pair.target->name().find('.') == std::string::npos;

@@ -14,6 +14,7 @@
 #include <signorini/simulation/shell_word.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/simulation/threads.h>
+#include <signorini/simulation/unpaired_bodies.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 
@@ -42,6 +43,7 @@ namespace Signorini
              << part.body->mesh().triangulation->n_active_cells() << " cells, "
              << part.body->n_dofs() << " unknowns\n";
       text << describe_pairs(*problem.contact, problem.initial_displacement)
+           << unpaired_overlaps(problem, problem.initial_displacement)
            << mesh_warnings(problem);
       if (problem.time.dynamic)
         text << "time integration: alpha_B " << problem.time.scheme.alpha_B

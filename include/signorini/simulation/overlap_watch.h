@@ -19,7 +19,7 @@ namespace Signorini
    * sagitta of curved surfaces, a thousandth of the element, what the
    * constraint itself leaves (penalty), and what was there at t = 0 on purpose
    * (press fit, adjust). Where contact forces act, one of half an element or
-   * half a radius.
+   * half the radius of a rigid target.
    */
   template <int dim>
   class OverlapWatch
