@@ -29,9 +29,10 @@ namespace Signorini
     double
     excess(const Overlap<dim> &overlap, const double allowed)
     {
-      const double limit = overlap.is_pressed ?
-                             0.5 * std::min(overlap.length, overlap.radius) :
-                             2. * overlap.sagitta + 1e-3 * overlap.length;
+      const double limit =
+        overlap.is_pressed ?
+          std::min(2. * overlap.length, 0.5 * overlap.radius) :
+          2. * overlap.sagitta + 1e-3 * overlap.length;
       return overlap.depth - limit - allowed;
     }
 
