@@ -204,8 +204,12 @@ namespace Signorini
         std::any_of(pressed_.begin(), pressed_.end(), [&](const auto &node) {
           return node.distance(place) < 2. * meeting.length + depth;
         });
-      found_.push_back(
-        {place, depth, sagitta, meeting.length, radius, is_pressed});
+      found_.push_back({place,
+                        depth,
+                        sagitta,
+                        meeting.length,
+                        query_.target_body ? infinity : radius,
+                        is_pressed});
     }
 
 

@@ -29,9 +29,10 @@ namespace Signorini
     double
     excess(const Overlap<dim> &overlap, const double allowed)
     {
-      const double limit = overlap.is_pressed ?
-                             0.5 * std::min(overlap.length, overlap.radius) :
-                             2. * overlap.sagitta + 1e-3 * overlap.length;
+      const double limit =
+        overlap.is_pressed ?
+          std::min(2. * overlap.length, 0.5 * overlap.radius) :
+          2. * overlap.sagitta + 1e-3 * overlap.length;
       return overlap.depth - limit - allowed;
     }
 
@@ -203,9 +204,11 @@ namespace Signorini
     std::ostringstream message;
     message << "at t = " << time << " s body " << pair.body->name() << " and \""
             << pair.target->name() << "\" lie in each other at ("
-            << overlap.place << "), by " << overlap.depth
-            << " m, and no contact keeps them apart: the "
-            << "nodes of the contactor, " << overlap.length
+            << overlap.place << "), by " << overlap.depth << " m, and "
+            << (overlap.is_pressed ?
+                  "the contact forces nearby do not keep them apart" :
+                  "no contact keeps them apart")
+            << ": the nodes of the contactor, " << overlap.length
             << " m apart there, do not see it. Make the mesh of body "
             << pair.body->name() << " finer there";
     const bool is_rigid = pair.target->name().find('.') == std::string::npos;

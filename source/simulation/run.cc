@@ -15,6 +15,7 @@
 #include <signorini/simulation/simulation.h>
 #include <signorini/simulation/threads.h>
 #include <signorini/simulation/unread_entries.h>
+#include <signorini/simulation/unpaired_bodies.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 
@@ -43,6 +44,7 @@ namespace Signorini
              << part.body->mesh().triangulation->n_active_cells() << " cells, "
              << part.body->n_dofs() << " unknowns\n";
       text << describe_pairs(*problem.contact, problem.initial_displacement)
+           << unpaired_overlaps(problem, problem.initial_displacement)
            << mesh_warnings(problem);
       if (problem.time.dynamic)
         text << "time integration: alpha_B " << problem.time.scheme.alpha_B

@@ -50,8 +50,7 @@ namespace Signorini
   Simulation<dim>::Simulation(const Problem<dim> &problem, Timings &timings)
     : problem_(problem)
     , timings_(timings)
-    , overlap_watch_(problem)
-    , small_strain_watch_(*problem.solid)
+    , watch_(problem)
     , driver_(problem, timings)
     , plan_(problem.time.step_control,
             problem.time.end_time,
@@ -114,7 +113,7 @@ namespace Signorini
     if (!is_saved && (!is_complete || !checkpoint_clock_.is_off()))
       is_saved = save(task, files, log);
     finish(task, files);
-    look_for_overlaps();
+    watch_.look(record_.state, true, log);
     summarise(log);
     if (is_complete)
       check(log);
@@ -189,7 +188,7 @@ namespace Signorini
     if (!plan_.completes_regular_step(state.time, record_.n_regular))
       {
         record(false, files);
-        look_for_large_strains(log);
+        watch_.look(state, false, log);
         return;
       }
     ++record_.n_regular;
@@ -199,11 +198,10 @@ namespace Signorini
       driver_.write_interface(task.folder + "/interface_" +
                                 std::to_string(state.step) + ".txt",
                               log);
-    record(problem_.output.fields_are_due(record_.n_regular,
-                                          old_time,
-                                          state.time),
-           files);
-    look_for_large_strains(log);
+    const bool with_fields =
+      problem_.output.fields_are_due(record_.n_regular, old_time, state.time);
+    record(with_fields, files);
+    watch_.look(state, with_fields, log);
     show_progress(log);
   }
 
@@ -223,6 +221,7 @@ namespace Signorini
         task.folder,
         [&]() {
           record(false, files);
+          watch_.look(record_.state, false, log);
           show_progress(log);
           if (is_interrupted())
             throw Interrupted("Stopped as asked, in the final relaxation. The "
@@ -245,8 +244,6 @@ namespace Signorini
     files.history->write_new_rows(record_.history);
     if (with_fields)
       write_fields(files);
-    if (with_fields || overlap_watch_.is_due({state.displacement, state.time}))
-      look_for_overlaps();
   }
 
 
@@ -262,31 +259,6 @@ namespace Signorini
     if (problem_.output.keeps_displacements)
       fields_.write(files.displacements);
     record_.step_of_fields = record_.state.step;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::look_for_overlaps()
-  {
-    const State &state = record_.state;
-    overlap_watch_.refuse({state.displacement, state.time},
-                          state.contact_forces.normal,
-                          state.gaps);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::look_for_large_strains(Log &log)
-  {
-    const State      &state = record_.state;
-    const std::string warning =
-      small_strain_watch_.look(state.displacement, state.time);
-    if (!warning.empty())
-      log.line(warning);
   }
 
 
@@ -408,9 +380,7 @@ namespace Signorini
              << largest(pair.name + ".penetration") << " m";
         log.line(line.str());
       }
-    const std::string warning = small_strain_watch_.summary();
-    if (!warning.empty())
-      log.line(warning);
+    watch_.summarise(state, log);
     log.line(timings_.table());
   }
 

@@ -19,7 +19,10 @@ namespace Signorini
     double sagitta;
 
     double length; // of the elements of the contactor there, m
-    double radius; // of the surfaces there, m; infinite if flat or an edge
+
+    // Of a rigid surface there, m; infinite if it is flat or has an edge, and
+    // for a deformable one.
+    double radius;
 
     // A node of the contactor within two elements carries a contact force.
     bool is_pressed;

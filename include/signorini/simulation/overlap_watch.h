@@ -18,8 +18,8 @@ namespace Signorini
    * Where nothing presses nearby, an overlap is refused that is deeper than the
    * sagitta of curved surfaces, a thousandth of the element, what the
    * constraint itself leaves (penalty), and what was there at t = 0 on purpose
-   * (press fit, adjust). Where contact forces act, one of half an element or
-   * half a radius.
+   * (press fit, adjust). Where contact forces act, one of two elements or
+   * half the radius of a rigid target.
    */
   template <int dim>
   class OverlapWatch

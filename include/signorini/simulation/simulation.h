@@ -9,11 +9,10 @@
 #include <signorini/output/log.h>
 #include <signorini/output/surface_writer.h>
 #include <signorini/output/timings.h>
-#include <signorini/simulation/overlap_watch.h>
 #include <signorini/simulation/problem.h>
 #include <signorini/simulation/result_fields.h>
 #include <signorini/simulation/run_record.h>
-#include <signorini/simulation/small_strain_watch.h>
+#include <signorini/simulation/state_watch.h>
 #include <signorini/simulation/step_driver.h>
 #include <signorini/time/step_plan.h>
 
@@ -90,14 +89,6 @@ namespace Signorini
     void
     write_fields(Files &files);
 
-    // @throws ComputationError if bodies lie in each other.
-    void
-    look_for_overlaps();
-
-    // @throws ComputationError where a cell is turned inside out.
-    void
-    look_for_large_strains(Log &log);
-
     // Says how to go on. False, with the reason in the log, if it cannot be
     // written: that alone does not stop a run.
     bool
@@ -118,8 +109,7 @@ namespace Signorini
 
     const Problem<dim>                   &problem_;
     Timings                              &timings_;
-    OverlapWatch<dim>                     overlap_watch_;
-    SmallStrainWatch<dim>                 small_strain_watch_;
+    StateWatch<dim>                       watch_;
     StepDriver<dim>                       driver_;
     StepPlan                              plan_;
     ResultFields<dim>                     fields_;
