@@ -1,8 +1,7 @@
 #include <signorini/simulation/contact_inertia.h>
+#include <signorini/solid/nodal_acceleration.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,79 +116,6 @@ namespace Signorini
       Vector<double> change = momenta(motions, old_mass, old_velocity);
       change -= momenta(motions, mass, velocity);
       add(motions, coefficients(motions, mass, change), 1., velocity);
-    }
-
-    // M on the unknowns that have mass and are solved for, and its diagonal as
-    // a preconditioner.
-    class FreeMass
-    {
-    public:
-      FreeMass(const SparseMatrix<double> &mass,
-               const std::vector<bool>    &is_fixed)
-        : mass_(mass)
-        , inverse_diagonal_(mass.m())
-      {
-        for (unsigned int i = 0; i < mass.m(); ++i)
-          if (!is_fixed[i] && mass.diag_element(i) > 0.)
-            inverse_diagonal_[i] = 1. / mass.diag_element(i);
-      }
-
-      void restrict(Vector<double> &vector) const
-      {
-        for (unsigned int i = 0; i < vector.size(); ++i)
-          if (inverse_diagonal_[i] == 0.)
-            vector[i] = 0.;
-      }
-
-      void
-      vmult(Vector<double> &result, const Vector<double> &vector) const
-      {
-        mass_.vmult(result, vector);
-        restrict(result);
-      }
-
-      struct Preconditioner
-      {
-        void
-        vmult(Vector<double> &result, const Vector<double> &vector) const
-        {
-          result = vector;
-          result.scale(inverse_diagonal);
-        }
-
-        const Vector<double> &inverse_diagonal;
-      };
-
-      Preconditioner
-      preconditioner() const
-      {
-        return {inverse_diagonal_};
-      }
-
-    private:
-      const SparseMatrix<double> &mass_;
-      Vector<double>              inverse_diagonal_; // 0: not solved for
-    };
-
-    // Accelerations with M A = force where nothing gives them.
-    void
-    accelerate(const SparseMatrix<double> &mass,
-               const std::vector<bool>    &is_fixed,
-               const Vector<double>       &force,
-               Vector<double>             &acceleration)
-    {
-      const FreeMass matrix(mass, is_fixed);
-      Vector<double> change(force);
-      Vector<double> product(force.size());
-      mass.vmult(product, acceleration);
-      change -= product;
-      matrix.restrict(change);
-      SolverControl            control(1000, 1e-14 * force.l2_norm());
-      SolverCG<Vector<double>> solver(control);
-      Vector<double>           correction(force.size());
-      if (change.l2_norm() > control.tolerance())
-        solver.solve(matrix, correction, change, matrix.preconditioner());
-      acceleration += correction;
     }
 
     // v' = g + s f with the energy 1/2 v'.M v' and s near 1; s = 1 if there is

@@ -1,0 +1,26 @@
+#ifndef signorini_solid_nodal_acceleration_h
+#define signorini_solid_nodal_acceleration_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Signorini
+{
+  /**
+   * Accelerations with M A = force on the unknowns that have mass.
+   *
+   * @param is_fixed     unknowns whose acceleration is given
+   * @param force        N
+   * @param acceleration a first guess, with what is given; the solution, m/s^2
+   * @throws dealii::SolverControl::NoConvergence.
+   */
+  void
+  accelerate(const dealii::SparseMatrix<double> &mass,
+             const std::vector<bool>            &is_fixed,
+             const dealii::Vector<double>       &force,
+             dealii::Vector<double>             &acceleration);
+} // namespace Signorini
+
+#endif
