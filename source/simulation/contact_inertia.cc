@@ -168,12 +168,12 @@ namespace Signorini
 
 
   template <int dim>
-  ContactInertia<dim>::ContactInertia(const SolidModel<dim> &solid,
-                                      const bool             redistributes,
-                                      const double           smallest_gap)
+  ContactInertia<dim>::ContactInertia(const SolidModel<dim>   &solid,
+                                      const ContactModel<dim> &contact,
+                                      const bool               redistributes)
     : solid_(solid)
+    , contact_(contact)
     , redistributes_(redistributes)
-    , smallest_gap_(smallest_gap)
     , node_of_unknown_(solid.n_dofs(), numbers::invalid_unsigned_int)
   {
     for (const auto &part : solid.parts())
@@ -200,21 +200,35 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactInertia<dim>::add_massive(const SparseRow           &row,
+  ContactInertia<dim>::add_massive(const ContactPair<dim>    &pair,
                                    const State               &state,
                                    std::vector<unsigned int> &nodes) const
   {
-    constexpr double negligible = 1e-10; // a share of a contact force
-    for (const auto &[unknown, share] : row)
-      {
-        const unsigned int node = node_of_unknown_[unknown];
-        if (node != numbers::invalid_unsigned_int &&
-            !solid_.is_fixed()[unknown] && std::abs(share) > negligible &&
-            !std::binary_search(state.massless_nodes.begin(),
-                                state.massless_nodes.end(),
-                                node))
-          nodes.push_back(node);
-      }
+    const auto add = [&](const unsigned int unknown) {
+      const unsigned int node = node_of_unknown_[unknown];
+      if (node != numbers::invalid_unsigned_int &&
+          !std::binary_search(state.massless_nodes.begin(),
+                              state.massless_nodes.end(),
+                              node))
+        nodes.push_back(node);
+    };
+    for (const auto &node : pair.contactor.nodes)
+      add(node.dofs[0]);
+    for (const unsigned int unknown : pair.target->unknowns())
+      add(unknown);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactInertia<dim>::near(const std::vector<ContactPoint<dim>> &points,
+                            const State                          &state,
+                            const double distance) const
+  {
+    return of_pairs(state, [&](const unsigned int k) {
+      return points[k].is_in_reach() && points[k].gap <= distance;
+    });
   }
 
 
@@ -225,31 +239,49 @@ namespace Signorini
                                    const State                          &state,
                                    const double step_size) const
   {
-    std::vector<unsigned int> nodes;
-    if (redistributes_)
-      for (const auto &point : points)
-        if (point.is_in_reach() &&
-            point.gap + std::min(0.,
-                                 steps_ahead * step_size *
-                                   point.gap_gradient.dot(state.velocity)) <=
-              smallest_gap_)
-          add_massive(point.gap_gradient, state, nodes);
-    return nodes;
+    const double smallest_gap = 1e-12 * contact_.extent();
+    return of_pairs(state, [&](const unsigned int k) {
+      const auto &point = points[k];
+      return point.is_in_reach() &&
+             point.gap + std::min(0.,
+                                  steps_ahead * step_size *
+                                    point.gap_gradient.dot(state.velocity)) <=
+               smallest_gap;
+    });
   }
 
 
 
   template <int dim>
   std::vector<unsigned int>
-  ContactInertia<dim>::pressed(const std::vector<ContactPoint<dim>> &points,
-                               const InterfaceForces                &forces,
-                               const State &state) const
+  ContactInertia<dim>::pressed(const InterfaceForces &forces,
+                               const State           &state) const
+  {
+    return of_pairs(state, [&](const unsigned int k) {
+      return forces.normal[k] > 0.;
+    });
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactInertia<dim>::of_pairs(
+    const State                                   &state,
+    const std::function<bool(const unsigned int)> &is_close) const
   {
     std::vector<unsigned int> nodes;
-    if (redistributes_)
-      for (unsigned int k = 0; k < points.size(); ++k)
-        if (forces.normal[k] > 0.)
-          add_massive(points[k].gap_gradient, state, nodes);
+    if (!redistributes_)
+      return nodes;
+    for (const auto &pair : contact_.pairs())
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        if (is_close(pair.first_contact + n))
+          {
+            add_massive(pair, state, nodes);
+            break;
+          }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;
   }
 

@@ -104,7 +104,7 @@ namespace Signorini
 
     // Of all energy that was or is: less is the fluctuation of the scheme from
     // step to step.
-    constexpr double largest_gain = 1e-2;
+    constexpr double largest_gain = 5e-2;
 
     [[noreturn]] void
     throw_gain(const double gain, const double energy)
@@ -141,7 +141,6 @@ namespace Signorini
     const double lost = state.energy.scheme_loss() -
                         old_state.energy.scheme_loss() -
                         undue_work(contact, old_state, state, forces, points);
-    const double wanted = std::min(debt, lost);
 
     Vector<double> force(state.velocity.size());
     contact.add_contact_forces(points, forces, 1., force);
@@ -156,29 +155,24 @@ namespace Signorini
     mass.matrix.vmult(momentum, direction);
     const double a            = 0.5 * (direction * momentum);
     const double b            = state.velocity * momentum;
-    const double discriminant = b * b + 4. * a * wanted;
-    if (discriminant >= 0.)
-      {
-        const double s =
-          2. * wanted / (b + std::copysign(std::sqrt(discriminant), b));
-        state.velocity.add(s, direction);
-        state.energy.returned += wanted;
-        state.contact_debt = debt - wanted;
-      }
-    else
-      {
-        // All that motion along the contact forces has.
-        const double least = -0.25 * b * b / a;
-        state.velocity.add(-0.5 * b / a, direction);
-        state.energy.returned += least;
-        state.contact_debt = debt - least;
-        const double gain  = least - lost;
-        const double all =
-          energy + old_state.energy.plastic + old_state.energy.damping +
-          old_state.energy.friction + std::abs(old_state.energy.scheme_loss());
-        if (gain > largest_gain * all)
-          throw_gain(gain, all);
-      }
+    const double discriminant = b * b + 4. * a * debt;
+
+    // All of it, or what motion along the contact forces has.
+    const double returned = discriminant >= 0. ? debt : -0.25 * b * b / a;
+    const double s =
+      discriminant >= 0. ?
+        2. * debt / (b + std::copysign(std::sqrt(discriminant), b)) :
+        -0.5 * b / a;
+    state.velocity.add(s, direction);
+    state.energy.returned += returned;
+    state.contact_debt = debt - returned;
+
+    const double gain = returned - lost;
+    const double all  = energy + old_state.energy.plastic +
+                       old_state.energy.damping + old_state.energy.friction +
+                       std::abs(old_state.energy.scheme_loss());
+    if (gain > largest_gain * all)
+      throw_gain(gain, all);
   }
 
 

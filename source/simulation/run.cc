@@ -14,8 +14,8 @@
 #include <signorini/simulation/shell_word.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/simulation/threads.h>
-#include <signorini/simulation/unread_entries.h>
 #include <signorini/simulation/unpaired_bodies.h>
+#include <signorini/simulation/unread_entries.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/version.h>
 

@@ -47,6 +47,10 @@ namespace Signorini
                                                  1. / multiplier_factor(time);
     }
 
+    // Relative to the bodies: surfaces that are as near at the start have no
+    // mass from the beginning, those that come near later lose it then.
+    constexpr double near_distance = 0.1;
+
     // Of a static step, relative to the bodies: beyond it forces are rounding.
     constexpr double largest_motion = 1e3;
 
@@ -115,9 +119,9 @@ namespace Signorini
     , rigid_scheme_(rigid_scheme(settings.time))
     , rigid_share_(rigid_share(settings.time))
     , inertia_(solid,
+               contact,
                settings.time.dynamic &&
-                 settings.time.contact_mass != "consistent",
-               1e-12 * contact.extent())
+                 settings.time.contact_mass != "consistent")
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, multiplier_factor_),
@@ -168,8 +172,7 @@ namespace Signorini
                                    state.acceleration);
         const auto points = evaluate_contact(state, state);
         state.massless_nodes =
-          inertia_.approaching(points, state, settings_.time.step_size);
-        std::sort(state.massless_nodes.begin(), state.massless_nodes.end());
+          inertia_.near(points, state, near_distance * extent_);
         inertia_.mass(state).redistribution.extrapolate(state.velocity);
         system_.use_mass(inertia_.mass(state).matrix,
                          state.massless_nodes.empty());
@@ -268,8 +271,7 @@ namespace Signorini
         const auto unmet = unmet_criterion(state, points, iterate);
         if (!unmet)
           {
-            const auto nodes =
-              inertia_.pressed(points, iterate.multipliers, old_state);
+            const auto nodes = inertia_.pressed(iterate.multipliers, old_state);
             if (!nodes.empty())
               return nodes;
             refuse_passage(old_state, iterate, state);

@@ -82,8 +82,13 @@ namespace Signorini
     result->matrix.reinit(sparsity_);
     result->matrix.copy_from(mass_);
     result->redistribution.move_mass(result->matrix);
+    // What supports hold has no momentum of its own.
+    const Vector<double> at_start(n_dofs());
     for (const auto &part : parts_)
-      if (!keep_moments(
+      if (!free_rigid_modes(
+             *part.body, at_start, is_given_, part.supports.sliding_nodes())
+             .empty() &&
+          !keep_moments(
             *part.body, mass_, result->redistribution, result->matrix))
         result->changed_bodies.push_back(part.body->name());
     return result;

@@ -107,7 +107,8 @@ BOOST_AUTO_TEST_CASE(files)
                "gear_1_00001.displacement\n"
                "0.1,b,b_00000_mesh.displacement,b_00001.displacement\n");
   BOOST_TEST(files_in(run.folder) ==
-               (std::set<std::string>{"b_00000.displacement",
+               (std::set<std::string>{".signorini-files",
+                                      "b_00000.displacement",
                                       "b_00000_mesh.displacement",
                                       "b_00001.displacement",
                                       "displacements.csv",

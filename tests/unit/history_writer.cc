@@ -1,5 +1,6 @@
 #include <signorini/input_error.h>
 #include <signorini/output/history_writer.h>
+#include <signorini/output/run_folder.h>
 
 #include <boost/archive/text_iarchive.hpp>
 #include <boost/archive/text_oarchive.hpp>
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(rows_of_an_earlier_run)
   const TemporaryFolder folder;
   const std::string     name = folder.file("history.csv");
   const std::string     head = "time [s],floor.force_y [N],floor.contacts\n";
-  write_file(name, head + "1,1,1\n2,2,2\n3,3,");
+  write_file(result_file(name), head + "1,1,1\n2,2,2\n3,3,");
   History history = example();
   history.append_row({1., 1., 1.});
   HistoryWriter writer(name, history, 0.);
@@ -166,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_full_disk_when_a_run_is_resumed)
 {
   const TemporaryFolder folder;
   const std::string     name = folder.file("history.csv");
-  write_file(name, "old");
+  write_file(result_file(name), "old");
   History history = example();
   history.append_row({1., 1., 1.});
   {

@@ -185,7 +185,8 @@ BOOST_AUTO_TEST_CASE(zero_problems)
   // 2. Penetrated from the start, and left so.
   data.contacts[0].gap          = -1e-6;
   const InterfaceProblem inside = InterfaceReference::make_problem(data);
-  BOOST_TEST(Signorini::kkt_residual(inside, nothing).norm() == 1.);
+  BOOST_TEST(Signorini::kkt_residual(inside, nothing).norm() == 1.,
+             boost::test_tools::tolerance(1e-14));
 
   // 3. No contacts.
   data.contacts.clear();
@@ -231,7 +232,7 @@ BOOST_AUTO_TEST_CASE(rounding_is_no_violation)
   nothing.forces = InterfaceForces(1);
   BOOST_TEST(
     Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
-      .norm() >= 1.);
+      .norm() > 0.99);
   data.contacts[0].rounding = 1e-16;
   BOOST_TEST(
     Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)

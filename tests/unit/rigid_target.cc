@@ -162,8 +162,11 @@ BOOST_AUTO_TEST_CASE(given_motion)
   const Point<2> centre = now.to_space(Point<2>(0.3, 0.1));
   BOOST_TEST(std::abs(found.gap - point.position.distance(centre) + 0.5) <
              1e-14);
-  const Point<2>     y      = point.position - found.gap * found.normal;
-  const Tensor<1, 2> motion = y - before.to_space(now.to_body(y));
+  const Point<2> y = point.position - found.gap * found.normal;
+  // The centre moves evenly, and the point goes along its arc.
+  const Tensor<1, 2> arm    = y - now.centre - now.translation;
+  const Tensor<1, 2> motion = now.translation - before.translation +
+                              0.3 * Tensor<1, 2>({-arm[1], arm[0]});
   BOOST_TEST((motion - found.motion).norm() < 1e-14);
 }
 

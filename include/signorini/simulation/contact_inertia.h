@@ -1,19 +1,21 @@
 #ifndef signorini_simulation_contact_inertia_h
 #define signorini_simulation_contact_inertia_h
 
-#include <signorini/contact/contact_point.h>
+#include <signorini/contact/contact_model.h>
 #include <signorini/simulation/state.h>
 #include <signorini/solid/solid_model.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace Signorini
 {
   /**
-   * The inertia of bodies whose nodes lose their mass when they come into
-   * contact: those that nothing approaches keep it. A node that has lost its
-   * mass stays without.
+   * The inertia of bodies whose surfaces lose their mass when they come into
+   * contact: all candidates of a pair with the first of them that closes, or
+   * from the start if the pair is near. They stay without. Pairs that are far
+   * and never touch change nothing.
    */
   template <int dim>
   class ContactInertia
@@ -21,22 +23,26 @@ namespace Signorini
   public:
     using Mass = typename SolidModel<dim>::RedistributedMass;
 
-    /**
-     * @param redistributes false: every node keeps its mass
-     * @param smallest_gap  what counts as closed, m
-     */
-    ContactInertia(const SolidModel<dim> &solid,
-                   const bool             redistributes,
-                   const double           smallest_gap);
+    /** @param redistributes false: every node keeps its mass */
+    ContactInertia(const SolidModel<dim>   &solid,
+                   const ContactModel<dim> &contact,
+                   const bool               redistributes);
 
     /** The mass matrix that belongs to the massless nodes of a state, until
      * another is asked for. The solid must have mass. */
     const Mass &
     mass(const State &state);
 
+    /** Nodes with mass, by their first unknown, of pairs with a gap within a
+     * distance. */
+    std::vector<unsigned int>
+    near(const std::vector<ContactPoint<dim>> &points,
+         const State                          &state,
+         const double                          distance) const;
+
     /**
-     * Nodes with mass, by their first unknown, of open contacts that will close
-     * within two steps at the present velocity.
+     * Nodes with mass, by their first unknown, of pairs of which an open
+     * contact will close within two steps at the present velocity.
      * @param points placed at the displacement of @p state
      */
     std::vector<unsigned int>
@@ -44,11 +50,9 @@ namespace Signorini
                 const State                          &state,
                 const double                          step_size) const;
 
-    /** Nodes with mass on which contact forces act. */
+    /** Nodes with mass of pairs on which contact forces act. */
     std::vector<unsigned int>
-    pressed(const std::vector<ContactPoint<dim>> &points,
-            const InterfaceForces                &forces,
-            const State                          &state) const;
+    pressed(const InterfaceForces &forces, const State &state) const;
 
     /**
      * The state after nodes have lost their mass. Displacements and energies
@@ -65,14 +69,19 @@ namespace Signorini
     take_mass(const State &state, const std::vector<unsigned int> &nodes);
 
   private:
+    // Nodes with mass of pairs with a candidate that is close.
+    std::vector<unsigned int>
+    of_pairs(const State                                   &state,
+             const std::function<bool(const unsigned int)> &is_close) const;
+
     void
-    add_massive(const SparseRow           &row,
+    add_massive(const ContactPair<dim>    &pair,
                 const State               &state,
                 std::vector<unsigned int> &nodes) const;
 
     const SolidModel<dim>      &solid_;
+    const ContactModel<dim>    &contact_;
     bool                        redistributes_;
-    double                      smallest_gap_;
     std::vector<unsigned int>   node_of_unknown_; // by its first unknown
     std::vector<unsigned int>   massless_nodes_;  // of mass_
     std::unique_ptr<const Mass> mass_;
