@@ -17,6 +17,9 @@ namespace Signorini
     constexpr double rounding_share = 4.;
     constexpr double floor_multiple = 1000.;
 
+    // Of a static step, relative to the bodies: beyond it forces are rounding.
+    constexpr double largest_motion = 1e3;
+
     std::string
     as_text(const double value)
     {
@@ -290,6 +293,55 @@ namespace Signorini
 
 
 
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_collapse(const State &old_state,
+                                 const State &state) const
+  {
+    if (settings_.time.dynamic)
+      return;
+    Vector<double> motion(state.displacement);
+    motion -= old_state.displacement;
+    if (!(motion.linfty_norm() > largest_motion * extent_))
+      return;
+    std::ostringstream message;
+    message << "displacements grew by " << motion.linfty_norm()
+            << " m, while all bodies together are " << extent_
+            << " m wide: the bodies do not carry the load";
+    throw StepFailed(message.str());
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_passage(const State   &old_state,
+                                const Iterate &iterate,
+                                const State   &state) const
+  {
+    const auto        timing = timings_.measure(section_contact_);
+    std::vector<bool> closed(contact_.n_contacts());
+    for (unsigned int k = 0; k < closed.size(); ++k)
+      closed[k] = iterate.multipliers.normal[k] > 0. ||
+                  old_state.contact_forces.normal[k] > 0.;
+    const auto passed =
+      contact_.passed_targets({state.displacement, state.time},
+                              {old_state.displacement, old_state.time},
+                              old_state.gaps,
+                              closed);
+    if (!passed.empty())
+      throw StepFailed("nodes pass through a surface within the step: " +
+                       contact_.candidates_in_words(passed));
+  }
+
+
+
+  template void
+  TimeStep<2>::refuse_collapse(const State &, const State &) const;
+  template void
+  TimeStep<2>::refuse_passage(const State &,
+                              const Iterate &,
+                              const State &) const;
   template void
   TimeStep<2>::measure_balance(const double,
                                Vector<double>,
@@ -319,6 +371,12 @@ namespace Signorini
   TimeStep<2>::unmet_balance(const State &) const;
   template std::string
   TimeStep<2>::failure_message(const State &, const UnmetCriterion &) const;
+  template void
+  TimeStep<3>::refuse_collapse(const State &, const State &) const;
+  template void
+  TimeStep<3>::refuse_passage(const State &,
+                              const Iterate &,
+                              const State &) const;
   template void
   TimeStep<3>::measure_balance(const double,
                                Vector<double>,

@@ -51,9 +51,6 @@ namespace Signorini
     // mass from the beginning, those that come near later lose it then.
     constexpr double near_distance = 0.1;
 
-    // Of a static step, relative to the bodies: beyond it forces are rounding.
-    constexpr double largest_motion = 1e3;
-
     std::unique_ptr<InterfaceAlgorithm>
     create_algorithm(AlgorithmParameters parameters, const double factor)
     {
@@ -284,49 +281,6 @@ namespace Signorini
         iterate = improve(old_state, step.size, force, points, iterate, state);
         refuse_collapse(old_state, state);
       }
-  }
-
-
-
-  template <int dim>
-  void
-  TimeStep<dim>::refuse_collapse(const State &old_state,
-                                 const State &state) const
-  {
-    if (settings_.time.dynamic)
-      return;
-    Vector<double> motion(state.displacement);
-    motion -= old_state.displacement;
-    if (!(motion.linfty_norm() > largest_motion * extent_))
-      return;
-    std::ostringstream message;
-    message << "displacements grew by " << motion.linfty_norm()
-            << " m, while all bodies together are " << extent_
-            << " m wide: the bodies do not carry the load";
-    throw StepFailed(message.str());
-  }
-
-
-
-  template <int dim>
-  void
-  TimeStep<dim>::refuse_passage(const State   &old_state,
-                                const Iterate &iterate,
-                                const State   &state) const
-  {
-    const auto        timing = timings_.measure(section_contact_);
-    std::vector<bool> closed(contact_.n_contacts());
-    for (unsigned int k = 0; k < closed.size(); ++k)
-      closed[k] = iterate.multipliers.normal[k] > 0. ||
-                  old_state.contact_forces.normal[k] > 0.;
-    const auto passed =
-      contact_.passed_targets({state.displacement, state.time},
-                              {old_state.displacement, old_state.time},
-                              old_state.gaps,
-                              closed);
-    if (!passed.empty())
-      throw StepFailed("nodes pass through a surface within the step: " +
-                       contact_.candidates_in_words(passed));
   }
 
 
