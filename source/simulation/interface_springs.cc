@@ -112,7 +112,7 @@ namespace Signorini
   {
     const bool is_as_factorised =
       !has_geometric_stiffness(points, multipliers.normal) &&
-      trailing_spring_.all_zero() &&
+      (trailing_.empty() || trailing_spring_.all_zero()) &&
       (!may_be_weak_ || stiffness_.smallest_pivot() > weakest_pivot_);
     if (is_as_factorised)
       {
