@@ -11,32 +11,6 @@ namespace Signorini
 
   namespace
   {
-    // lambda_n + lambda_np, along the normals only: friction has done its work.
-    InterfaceForces
-    normal_forces(const State &old_state, const State &state)
-    {
-      InterfaceForces forces(state.contact_forces.normal);
-      for (unsigned int k = 0; k < forces.normal.size(); ++k)
-        forces.normal[k] += old_state.contact_forces.normal[k];
-      return forces;
-    }
-
-    // Work sum_k (lambda_n + lambda_np)/2 (g_np - g_n) of a step, J.
-    double
-    spurious_contact_work(const State           &old_state,
-                          const State           &state,
-                          const InterfaceForces &forces)
-    {
-      double work = 0.;
-      for (unsigned int k = 0; k < state.gaps.size(); ++k)
-        {
-          const double force = forces.normal[k];
-          // A gap out of reach is infinite.
-          if (force != 0. && std::isfinite(state.gaps[k] - old_state.gaps[k]))
-            work += 0.5 * force * (state.gaps[k] - old_state.gaps[k]);
-        }
-      return work;
-    }
     // Energy sum_c F_c ((P dU)_c - dU_c)/2 that a step makes since a node c
     // lost its mass: the trapezoidal rule lets the force F_c that it had at the
     // start of the step act where its mass is, while it goes another way, dU_c.
@@ -73,35 +47,6 @@ namespace Signorini
       return force;
     }
 
-    // The part of the ledger's work of contact that is none: of forces between
-    // bodies all of it, since they are pairs; of a target with a given motion
-    // what is not done by that motion.
-    template <int dim>
-    double
-    undue_work(const ContactModel<dim>              &contact,
-               const State                          &old_state,
-               const State                          &state,
-               const InterfaceForces                &forces,
-               const std::vector<ContactPoint<dim>> &points)
-    {
-      Vector<double> motion(state.displacement);
-      motion -= old_state.displacement;
-      double work = 0.;
-      for (const auto &pair : contact.pairs())
-        for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-          {
-            const unsigned int k = pair.first_contact + n;
-            if (forces.normal[k] == 0.)
-              continue;
-            const double change = state.gaps[k] - old_state.gaps[k];
-            const bool   is_given =
-              pair.target->unknowns().empty() && std::isfinite(change);
-            work += 0.5 * forces.normal[k] *
-                    (is_given ? change : points[k].gap_gradient.dot(motion));
-          }
-      return work;
-    }
-
     // Of all energy that was or is: less is the fluctuation of the scheme from
     // step to step.
     constexpr double largest_gain = 5e-2;
@@ -125,12 +70,12 @@ namespace Signorini
                       const typename SolidModel<dim>::RedistributedMass &mass,
                       const State                          &old_state,
                       const std::vector<ContactPoint<dim>> &points,
+                      const StepContact<dim>               &step_contact,
                       EffectiveSystem<dim>                 &system,
                       State                                &state)
   {
-    const InterfaceForces forces = normal_forces(old_state, state);
-    const double spurious = spurious_contact_work(old_state, state, forces);
-    const double debt     = old_state.contact_debt - spurious -
+    const double undue = step_contact.undue_work();
+    const double debt  = old_state.contact_debt - undue -
                         work_of_landing(mass.redistribution, old_state, state);
     state.contact_debt = debt;
 
@@ -138,12 +83,11 @@ namespace Signorini
     const double energy = old_state.energy.kinetic + old_state.energy.stored;
     if (std::abs(debt) <= 1e-14 * energy)
       return;
-    const double lost = state.energy.scheme_loss() -
-                        old_state.energy.scheme_loss() -
-                        undue_work(contact, old_state, state, forces, points);
+    const double lost =
+      state.energy.scheme_loss() - old_state.energy.scheme_loss() - undue;
 
     Vector<double> force(state.velocity.size());
-    contact.add_contact_forces(points, forces, 1., force);
+    contact.add_contact_forces(points, step_contact.normal_forces(), 1., force);
     if (force.all_zero())
       force = landing_force(mass.redistribution, old_state, force.size());
     if (force.all_zero())
@@ -182,6 +126,7 @@ namespace Signorini
                       const SolidModel<2>::RedistributedMass &,
                       const State &,
                       const std::vector<ContactPoint<2>> &,
+                      const StepContact<2> &,
                       EffectiveSystem<2> &,
                       State &);
   template void
@@ -189,6 +134,7 @@ namespace Signorini
                       const SolidModel<3>::RedistributedMass &,
                       const State &,
                       const std::vector<ContactPoint<3>> &,
+                      const StepContact<3> &,
                       EffectiveSystem<3> &,
                       State &);
 } // namespace Signorini

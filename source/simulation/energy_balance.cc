@@ -4,36 +4,6 @@ namespace Signorini
 {
   using namespace dealii;
 
-  namespace
-  {
-    InterfaceForces
-    sum(const InterfaceForces &a, const InterfaceForces &b)
-    {
-      InterfaceForces result(a);
-      for (unsigned int k = 0; k < b.normal.size(); ++k)
-        {
-          result.normal[k] += b.normal[k];
-          for (unsigned int j = 0; j < 2; ++j)
-            result.tangential[k][j] += b.tangential[k][j];
-        }
-      return result;
-    }
-
-    template <int dim>
-    double
-    friction_work(const std::vector<ContactPoint<dim>> &points,
-                  const InterfaceForces                &mean_forces)
-    {
-      double work = 0.;
-      for (unsigned int k = 0; k < points.size(); ++k)
-        for (unsigned int j = 0; j < dim - 1; ++j)
-          work += mean_forces.tangential[k][j] * points[k].slip[j];
-      return work;
-    }
-  } // namespace
-
-
-
   void
   measure_kinetic_energy(const SparseMatrix<double> &mass, State &state)
   {
@@ -74,11 +44,11 @@ namespace Signorini
 
   template <int dim>
   void
-  measure_work(const SolidModel<dim>                &solid,
-               const ContactModel<dim>              &contact,
-               const State                          &old_state,
-               const std::vector<ContactPoint<dim>> &points,
-               State                                &state)
+  measure_work(const SolidModel<dim>  &solid,
+               const StepContact<dim> &contact,
+               const Vector<double>   &support_force,
+               const State            &old_state,
+               State                  &state)
   {
     Vector<double> motion(state.displacement);
     motion -= old_state.displacement;
@@ -86,20 +56,14 @@ namespace Signorini
     energy.loads +=
       0.5 * (motion * old_state.external_force + motion * state.external_force);
     if (!solid.supports_are_fixed())
-      energy.supports +=
-        0.5 * (motion * old_state.support_force + motion * state.support_force);
+      energy.supports += motion * support_force;
 
-    const InterfaceForces twice_mean =
-      sum(old_state.contact_forces, state.contact_forces);
-    Vector<double> force(motion.size());
-    contact.add_contact_forces(points, twice_mean, 0.5, force);
-    const double friction = 0.5 * friction_work(points, twice_mean);
-    energy.friction += friction;
-    energy.contact += motion * force + friction;
+    energy.friction += contact.friction();
+    energy.contact += contact.work() - contact.tangential_work();
 
     if (solid.is_damped())
       {
-        Vector<double> velocity(state.velocity);
+        Vector<double> velocity(state.velocity), force(motion.size());
         velocity.sadd(0.5, 0.5, old_state.velocity);
         solid.damping().vmult(force, velocity);
         energy.damping += motion * force;
@@ -122,14 +86,14 @@ namespace Signorini
                          State &);
   template void
   measure_work(const SolidModel<2> &,
-               const ContactModel<2> &,
+               const StepContact<2> &,
+               const Vector<double> &,
                const State &,
-               const std::vector<ContactPoint<2>> &,
                State &);
   template void
   measure_work(const SolidModel<3> &,
-               const ContactModel<3> &,
+               const StepContact<3> &,
+               const Vector<double> &,
                const State &,
-               const std::vector<ContactPoint<3>> &,
                State &);
 } // namespace Signorini

@@ -270,13 +270,12 @@ namespace Signorini
     const Constants constants =
       parse_constants(prm.get("Constants"), "Constants");
     problem.title = prm.get("Title");
-    problem.time  = TimeParameters::parse(prm);
-    problem.adaptivity =
-      AdaptivityParameters::parse(problem.time.end_time, prm);
-
     const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
                                     Kinematics::finite_strain :
                                     Kinematics::small_strain;
+    problem.time = TimeParameters::parse(prm);
+    problem.adaptivity =
+      AdaptivityParameters::parse(problem.time.end_time, prm);
 
     const GlobalRun global_run = {prm.get("Submodel of"),
                                   problem.time.dynamic ?
@@ -319,6 +318,9 @@ namespace Signorini
         n_dofs += unknowns.size();
       }
     problem.solid = std::make_unique<SolidModel<dim>>(std::move(parts), lumped);
+    problem.time.parse_scheme(kinematics == Kinematics::finite_strain &&
+                                problem.solid->initial_history().empty(),
+                              prm);
     problem.initial_displacement.reinit(n_dofs);
     problem.initial_velocity.reinit(n_dofs);
     for (const auto &part : problem.solid->parts())

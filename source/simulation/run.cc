@@ -50,7 +50,11 @@ namespace Signorini
         text << "time integration: alpha_B " << problem.time.scheme.alpha_B
              << ", alpha_H " << problem.time.scheme.alpha_H << ", beta "
              << problem.time.scheme.beta << ", gamma "
-             << problem.time.scheme.gamma << '\n';
+             << problem.time.scheme.gamma
+             << (problem.time.conserves_energy ?
+                   "; forces that keep energy and momenta" :
+                   "")
+             << '\n';
       if (problem.contact_parameters.algorithm.penalty_stiffness > 0.)
         text << "penalty stiffness "
              << problem.contact_parameters.algorithm.penalty_stiffness

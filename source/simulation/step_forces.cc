@@ -41,13 +41,16 @@ namespace Signorini
     try
       {
         SolidResponse response =
-          solid_.respond(state.displacement,
-                         step_size,
+          solid_.respond({state.displacement,
+                          step_size,
+                          conserves_energy_ ? &old_state.displacement :
+                                              nullptr},
                          old_state.history,
                          solid_.is_linear() ? nullptr : &tangent_);
         if (!solid_.is_linear())
           tangent_displacement_ = state.displacement;
         state.internal_force = std::move(response.internal_force);
+        mean_internal_force_ = std::move(response.mean_force);
         state.history        = std::move(response.history);
         state.energy.stored  = response.stored_energy;
         state.energy.plastic = response.plastic_work;
@@ -67,7 +70,7 @@ namespace Signorini
   bool
   TimeStep<dim>::has_tangent_of(const State &state) const
   {
-    return state.history.empty() &&
+    return state.history.empty() && !conserves_energy_ &&
            tangent_displacement_.size() == state.displacement.size() &&
            tangent_displacement_ == state.displacement;
   }
@@ -93,6 +96,8 @@ namespace Signorini
     Vector<double> force(motion.size());
     tangent_.vmult(force, motion);
     state.internal_force -= force;
+    if (conserves_energy_)
+      mean_internal_force_.add(-0.5, force);
   }
 
 
@@ -166,7 +171,13 @@ namespace Signorini
     // (1-alpha_H) (F - F_int) + alpha_H (F_n - F_int,n); nodes without mass
     // are in balance at the end of the step, whatever was before.
     force *= 1. - scheme_.alpha_H;
-    if (scheme_.alpha_H != 0.)
+    if (conserves_energy_)
+      {
+        force = state.external_force;
+        force.sadd(0.5, 0.5, old_state.external_force);
+        force -= mean_internal_force_;
+      }
+    else if (scheme_.alpha_H != 0.)
       {
         Vector<double> history(old_state.external_force);
         history -= old_state.internal_force;

@@ -3,6 +3,7 @@
 #include <signorini/simulation/initial_acceleration.h>
 #include <signorini/simulation/momentum.h>
 #include <signorini/simulation/slip.h>
+#include <signorini/simulation/step_contact.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
 
@@ -112,6 +113,7 @@ namespace Signorini
     , settings_(settings)
     , timings_(timings)
     , scheme_(settings.time.scheme)
+    , conserves_energy_(settings.time.dynamic && settings.time.conserves_energy)
     , multiplier_factor_(multiplier_factor(settings.time))
     , rigid_scheme_(rigid_scheme(settings.time))
     , rigid_share_(rigid_share(settings.time))
@@ -272,7 +274,7 @@ namespace Signorini
             if (!nodes.empty())
               return nodes;
             refuse_passage(old_state, iterate, state);
-            finish(old_state, step.size, points, iterate, state);
+            finish(old_state, step.size, force, points, iterate, state);
             return {};
           }
         if (!std::isfinite(state.residual) ||
@@ -347,6 +349,7 @@ namespace Signorini
   void
   TimeStep<dim>::finish(const State                          &old_state,
                         const double                          step_size,
+                        const Vector<double>                 &residual,
                         const std::vector<ContactPoint<dim>> &points,
                         const Iterate                        &iterate,
                         State                                &state)
@@ -357,6 +360,8 @@ namespace Signorini
       state.gaps[k] = points[k].gap;
     state.is_slipping = iterate.is_slipping;
     measure_slip(step_size, points, state);
+    if (conserves_energy_)
+      set_mean_acceleration(old_state, step_size, state);
     if (settings_.time.dynamic)
       {
         const auto &mass = inertia_.mass(state);
@@ -371,12 +376,31 @@ namespace Signorini
                            points,
                            state);
     measure_motion(state);
-    measure_work(solid_, contact_, old_state, points, state);
+    const auto old_points = evaluate_contact(old_state, old_state);
+    const StepContact<dim> contact(contact_,
+                                   old_state,
+                                   old_points,
+                                   state,
+                                   points,
+                                   !settings_.time.dynamic ||
+                                     settings_.time.contact_mass !=
+                                       "consistent");
+    measure_work(solid_,
+                 contact,
+                 mean_support_force(old_state, residual, points, state),
+                 old_state,
+                 state);
     if (settings_.time.dynamic && settings_.time.return_contact_work &&
         system_.algorithm().enforces_exactly())
       {
         return_contact_work(
-          contact_, inertia_.mass(state), old_state, points, system_, state);
+          contact_,
+          inertia_.mass(state),
+          old_state,
+          points,
+          contact,
+          system_,
+          state);
         measure_motion(state);
       }
     if (solid_.mass().empty())
@@ -386,6 +410,44 @@ namespace Signorini
         state.velocity /= step_size;
       }
     state.handed_over.reinit(0);
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::set_mean_acceleration(const State &old_state,
+                                       const double step_size,
+                                       State       &state) const
+  {
+    // At the end of a step nothing else is known of it: what Newmark's formula
+    // gives there swings around it from step to step.
+    for (unsigned int i = 0; i < solid_.n_dofs(); ++i)
+      if (!solid_.is_given()[i])
+        state.acceleration[i] =
+          (state.velocity[i] - old_state.velocity[i]) / step_size;
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  TimeStep<dim>::mean_support_force(
+    const State                          &old_state,
+    const Vector<double>                 &residual,
+    const std::vector<ContactPoint<dim>> &points,
+    const State                          &state) const
+  {
+    Vector<double> mean(state.support_force);
+    mean.sadd(0.5, 0.5, old_state.support_force);
+    if (!conserves_energy_ || solid_.supports_are_fixed())
+      return mean;
+    // What the balance of the step lacks.
+    Vector<double> lacking(residual);
+    contact_.add_contact_forces(points, state.contact_forces, 1., lacking);
+    for (unsigned int i = 0; i < mean.size(); ++i)
+      mean[i] = solid_.is_fixed()[i] ? -lacking[i] : 0.;
+    return mean;
   }
 
 

@@ -68,6 +68,7 @@ namespace Signorini
         , body(body)
         , cell(body, this->values.n_quadrature_points)
         , displacement(body.fe().n_dofs_per_cell())
+        , displacement_n(body.fe().n_dofs_per_cell())
         , n_point_values(n_values_at_a_point(body))
         , n_cell_values(n_point_values * this->values.n_quadrature_points)
       {}
@@ -83,30 +84,42 @@ namespace Signorini
       /** @param constant answer of a linear law, or null. */
       void
       evaluate(const typename DoFHandler<dim>::active_cell_iterator &visited,
-               const Vector<double> &values_of_all,
+               const SolidStep      &step,
                const PointResponse  *constant,
-               const double          step_size,
                const double         *history_n,
                double               *history,
                const bool            with_stiffness)
       {
         this->visit(visited);
-        for (unsigned int i = 0; i < displacement.size(); ++i)
-          displacement[i] = values_of_all[this->dofs.all()[i]];
-        cell.evaluate(this->values,
-                      displacement,
-                      {&body.material(visited->material_id()),
-                       constant,
-                       step_size,
-                       ArrayView<const double>(history_n, n_cell_values),
-                       ArrayView<double>(history, n_cell_values),
-                       n_point_values},
-                      with_stiffness);
+        const typename CellResponse<dim, n_strains>::Point point = {
+          &body.material(visited->material_id()),
+          constant,
+          step.size,
+          ArrayView<const double>(history_n, n_cell_values),
+          ArrayView<double>(history, n_cell_values),
+          n_point_values};
+        get_values(step.displacement, displacement);
+        if (!step.displacement_n)
+          {
+            cell.evaluate(this->values, displacement, point, with_stiffness);
+            return;
+          }
+        get_values(*step.displacement_n, displacement_n);
+        cell.evaluate_step(
+          this->values, displacement_n, displacement, point, with_stiffness);
+      }
+
+      void
+      get_values(const Vector<double> &of_all, std::vector<double> &of_cell) const
+      {
+        for (unsigned int i = 0; i < of_cell.size(); ++i)
+          of_cell[i] = of_all[this->dofs.all()[i]];
       }
 
       const Body<dim>             &body;
       CellResponse<dim, n_strains> cell;
       std::vector<double>          displacement;
+      std::vector<double>          displacement_n;
       const unsigned int           n_point_values;
       const unsigned int           n_cell_values;
     };
@@ -116,11 +129,13 @@ namespace Signorini
       explicit ResponseCopy(const unsigned int n_dofs)
         : stiffness(n_dofs, n_dofs)
         , force(n_dofs)
+        , mean_force(n_dofs)
         , dofs(n_dofs)
       {}
 
       FullMatrix<double>                   stiffness;
       Vector<double>                       force;
+      Vector<double>                       mean_force;
       std::vector<types::global_dof_index> dofs;
       double                               stored_energy = 0.;
       double                               plastic_work  = 0.;
@@ -165,8 +180,7 @@ namespace Signorini
     void
     add_response(const Body<dim>                 &body,
                  const AffineConstraints<double> &constraints,
-                 const Vector<double>            &displacement,
-                 const double                     step_size,
+                 const SolidStep                 &step,
                  const ArrayView<const double>    history_n,
                  const ArrayView<double>          history,
                  SolidResponse                   &response,
@@ -186,9 +200,8 @@ namespace Signorini
         try
           {
             scratch.evaluate(cell,
-                             displacement,
+                             step,
                              known == constant.end() ? nullptr : &known->second,
-                             step_size,
                              history_n.data() + first,
                              history.data() + first,
                              stiffness != nullptr);
@@ -202,6 +215,7 @@ namespace Signorini
         copy.stiffness = scratch.cell.stiffness;
         copy.stiffness *= factor;
         copy.force         = scratch.cell.force;
+        copy.mean_force    = scratch.cell.mean_force;
         copy.stored_energy = scratch.cell.stored_energy;
         copy.plastic_work  = scratch.cell.plastic_work;
       };
@@ -213,6 +227,10 @@ namespace Signorini
           }
         response.stored_energy += copy.stored_energy;
         response.plastic_work += copy.plastic_work;
+        if (step.displacement_n)
+          constraints.distribute_local_to_global(copy.mean_force,
+                                                 copy.dofs,
+                                                 response.mean_force);
         if (stiffness)
           constraints.distribute_local_to_global(copy.stiffness,
                                                  copy.force,
@@ -251,8 +269,12 @@ namespace Signorini
         {
           const double *const first =
             history.data() + scratch.first_value(cell);
-          scratch.evaluate(
-            cell, displacement, nullptr, at_once, first, unused.data(), false);
+          scratch.evaluate(cell,
+                           {displacement, at_once},
+                           nullptr,
+                           first,
+                           unused.data(),
+                           false);
           for (unsigned int q = 0; q < scratch.values.n_quadrature_points; ++q)
             {
               result.stresses.push_back(scratch.cell.stresses[q]);
@@ -320,8 +342,7 @@ namespace Signorini
   void
   add_response(const Body<dim>                 &body,
                const AffineConstraints<double> &constraints,
-               const Vector<double>            &displacement,
-               const double                     step_size,
+               const SolidStep                 &step,
                const ArrayView<const double>    history_n,
                const ArrayView<double>          history,
                SolidResponse                   &response,
@@ -331,8 +352,7 @@ namespace Signorini
     const auto add = [&](const auto function) {
       function(body,
                constraints,
-               displacement,
-               step_size,
+               step,
                history_n,
                history,
                response,
@@ -401,8 +421,7 @@ namespace Signorini
   template unsigned int n_history_values<dim>(const Body<dim> &);            \
   template void         add_response<dim>(const Body<dim> &,                 \
                                   const AffineConstraints<double> &, \
-                                  const Vector<double> &,            \
-                                  const double,                      \
+                                  const SolidStep &,                 \
                                   const ArrayView<const double>,     \
                                   const ArrayView<double>,           \
                                   SolidResponse &,                   \

@@ -54,6 +54,7 @@ namespace Signorini
                                              const unsigned int n_points)
     : stiffness(body.fe().n_dofs_per_cell(), body.fe().n_dofs_per_cell())
     , force(body.fe().n_dofs_per_cell())
+    , mean_force(body.fe().n_dofs_per_cell())
     , stored_energy(0.)
     , plastic_work(0.)
     , stresses(n_points)
@@ -61,16 +62,22 @@ namespace Signorini
     , is_finite_(body.kinematics() == Kinematics::finite_strain)
     , is_axisymmetric_(body.formulation() == Formulation::axisymmetric)
     , has_mean_dilatation_(body.has_mean_dilatation())
+    , is_mean_(false)
     , points_(n_points)
+    , responses_(n_points)
+    , start_(n_points)
+    , means_(n_points)
     , strain_operators_(body.scalar_fe().n_dofs_per_cell())
     , projection_(body.scalar_fe().degree, n_points)
     , volumes_(n_points)
     , pressures_(n_points)
+    , weights_(n_points)
   {
     for (DeformedPoint &point : points_)
       {
         point.shape_gradients.resize(body.scalar_fe().n_dofs_per_cell());
         point.over_r.resize(body.scalar_fe().n_dofs_per_cell());
+        point.divergence.resize(body.scalar_fe().n_dofs_per_cell());
         point.mean_divergence.resize(body.scalar_fe().n_dofs_per_cell());
       }
   }
@@ -85,33 +92,55 @@ namespace Signorini
     const Point               &point,
     const bool                 with_stiffness)
   {
-    stiffness     = 0.;
-    force         = 0.;
-    stored_energy = plastic_work = 0.;
+    find_responses(values, displacement, point);
+    if (point.constant)
+      {
+        set_constant_response(displacement, point);
+        return;
+      }
+    find_divergences();
+    add_forces();
+    stiffness = 0.;
+    if (with_stiffness)
+      add_stiffness();
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::find_responses(
+    const FEValues<dim>       &values,
+    const std::vector<double> &displacement,
+    const Point               &point)
+  {
     for (const unsigned int q : values.quadrature_point_indices())
       find_kinematics(values, displacement, q);
+    respond_to_kinematics(values, point);
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::respond_to_kinematics(
+    const FEValues<dim> &values,
+    const Point         &point)
+  {
+    stored_energy = plastic_work = 0.;
     if (has_mean_dilatation_)
       find_means(values);
-
-    PointResponse response;
+    if (point.constant)
+      return;
+    const unsigned int n = point.n_history_values;
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        const DeformedPoint &kinematics = points_[q];
-        set_strain_operators(kinematics);
-        if (point.constant)
-          {
-            add_lower_blocks<dim, n_strains>(strain_operators_,
-                                             point.constant->tangent,
-                                             kinematics.volume,
-                                             stiffness);
-            continue;
-          }
-        Tensor<2, dim> gradient         = kinematics.gradient;
-        double         thickness_strain = kinematics.hoop;
+        const DeformedPoint &kinematics       = points_[q];
+        Tensor<2, dim>       gradient         = kinematics.gradient;
+        double               thickness_strain = kinematics.hoop;
         if (has_mean_dilatation_)
           set_mean_dilatation(kinematics, gradient, thickness_strain);
-        const unsigned int n = point.n_history_values;
-        response =
+        responses_[q] =
           respond(body_->formulation(),
                   *point.material,
                   gradient,
@@ -121,34 +150,73 @@ namespace Signorini
                                   point.history_n.begin() + (q + 1) * n),
                   make_array_view(point.history.begin() + q * n,
                                   point.history.begin() + (q + 1) * n));
-        stresses[q] = response.cauchy_stress;
-        stored_energy += kinematics.volume * response.energy_density;
-        plastic_work += kinematics.volume * response.plastic_work_density;
-        add_force(response, kinematics.volume);
-        if (!with_stiffness)
-          continue;
+        stresses[q] = responses_[q].cauchy_stress;
+        stored_energy += kinematics.volume * responses_[q].energy_density;
+        plastic_work += kinematics.volume * responses_[q].plastic_work_density;
+      }
+    if (has_mean_dilatation_)
+      find_pressures();
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::set_constant_response(
+    const std::vector<double> &displacement,
+    const Point               &point)
+  {
+    find_divergences();
+    stiffness = 0.;
+    for (const DeformedPoint &kinematics : points_)
+      {
+        set_strain_operators(kinematics);
         add_lower_blocks<dim, n_strains>(strain_operators_,
-                                         response.tangent,
+                                         point.constant->tangent,
                                          kinematics.volume,
                                          stiffness);
-        if (is_finite_)
-          add_geometric_stiffness(kinematics, response);
-        if (is_finite_ && has_mean_dilatation_)
-          add_dilatation_stiffness(q, response);
       }
-    if (with_stiffness && is_finite_ && has_mean_dilatation_ && !point.constant)
+    mirror_lower_blocks();
+    force = 0.;
+    for (unsigned int i = 0; i < force.size(); ++i)
+      for (unsigned int j = 0; j < force.size(); ++j)
+        force[i] += stiffness(i, j) * displacement[j];
+    for (unsigned int i = 0; i < force.size(); ++i)
+      stored_energy += 0.5 * force[i] * displacement[i];
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::add_stiffness()
+  {
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        set_strain_operators(points_[q]);
+        add_lower_blocks<dim, n_strains>(strain_operators_,
+                                         responses_[q].tangent,
+                                         points_[q].volume,
+                                         stiffness);
+        if (is_finite_)
+          add_geometric_stiffness(points_[q], responses_[q]);
+        if (is_finite_ && has_mean_dilatation_)
+          add_dilatation_stiffness(points_[q], responses_[q]);
+      }
+    if (is_finite_ && has_mean_dilatation_)
       add_mean_divergence_stiffness();
+    mirror_lower_blocks();
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::mirror_lower_blocks()
+  {
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       for (unsigned int j = i + 1; j < stiffness.n(); ++j)
         stiffness(i, j) = stiffness(j, i);
-    if (point.constant)
-      {
-        for (unsigned int i = 0; i < force.size(); ++i)
-          for (unsigned int j = 0; j < force.size(); ++j)
-            force[i] += stiffness(i, j) * displacement[j];
-        for (unsigned int i = 0; i < force.size(); ++i)
-          stored_energy += 0.5 * force[i] * displacement[i];
-      }
   }
 
 
@@ -164,16 +232,35 @@ namespace Signorini
     const auto    &point      = values.quadrature_point(q);
     kinematics.gradient       = 0.;
     kinematics.hoop           = 0.;
+    for (const unsigned int a : values.dof_indices())
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          kinematics.gradient[c] +=
+            displacement[a * dim + c] * values.shape_grad(a, q);
+        if (is_axisymmetric_)
+          kinematics.hoop +=
+            values.shape_value(a, q) / point[0] * displacement[a * dim];
+      }
+    set_kinematics(values, q);
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::set_kinematics(const FEValues<dim> &values,
+                                               const unsigned int   q)
+  {
+    DeformedPoint &kinematics = points_[q];
+    const auto    &point      = values.quadrature_point(q);
+    kinematics.turn           = unit_symmetric_tensor<dim>();
+    kinematics.hoop_turn      = 1.;
     kinematics.volume         = values.JxW(q) * body_->volume_factor(point);
     for (const unsigned int a : values.dof_indices())
       {
         kinematics.shape_gradients[a] = values.shape_grad(a, q);
         kinematics.over_r[a] =
           is_axisymmetric_ ? values.shape_value(a, q) / point[0] : 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          kinematics.gradient[c] +=
-            displacement[a * dim + c] * kinematics.shape_gradients[a];
-        kinematics.hoop += kinematics.over_r[a] * displacement[a * dim];
       }
     if (!is_finite_)
       {
@@ -181,13 +268,11 @@ namespace Signorini
         return;
       }
 
-    Tensor<2, dim> F = kinematics.gradient;
-    for (unsigned int i = 0; i < dim; ++i)
-      F[i][i] += 1.;
     kinematics.dilatation = volume_change(kinematics.gradient, kinematics.hoop);
     if (!(kinematics.dilatation > -1.) || !(kinematics.hoop > -1.))
       throw_inside_out(kinematics.dilatation);
-    const Tensor<2, dim> to_space = transpose(invert(F));
+    const Tensor<2, dim> to_space =
+      transpose(invert(deformation_gradient(kinematics.gradient)));
     for (const unsigned int a : values.dof_indices())
       {
         kinematics.shape_gradients[a] =
@@ -213,6 +298,47 @@ namespace Signorini
           at.mean_dilatation += projection_(q, r) * points_[r].dilatation;
         if (is_finite_ && !(at.mean_dilatation > -1.))
           throw_inside_out(at.mean_dilatation);
+      }
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::find_pressures()
+  {
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        const SpatialStress<dim, n_strains> stress(responses_[q].stress);
+        pressures_[q] =
+          points_[q].volume * (trace(stress.between) + stress.across) / 3.;
+      }
+    for (unsigned int r = 0; r < points_.size(); ++r)
+      {
+        weights_[r] = 0.;
+        for (unsigned int q = 0; q < points_.size(); ++q)
+          weights_[r] += pressures_[q] / mean_volume_ratio(points_[q]) *
+                         projection_(q, r) * volume_ratio(points_[r]);
+      }
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::find_divergences()
+  {
+    if (!has_mean_dilatation_)
+      return;
+    for (DeformedPoint &of : points_)
+      for (unsigned int a = 0; a < of.divergence.size(); ++a)
+        {
+          of.divergence[a] = of.turn * of.shape_gradients[a];
+          of.divergence[a][0] += of.hoop_turn * of.over_r[a];
+        }
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        DeformedPoint &at = points_[q];
         std::fill(at.mean_divergence.begin(),
                   at.mean_divergence.end(),
                   Tensor<1, dim>());
@@ -222,8 +348,7 @@ namespace Signorini
             const double         weight =
               projection_(q, r) * volume_ratio(of) / mean_volume_ratio(at);
             for (unsigned int a = 0; a < at.mean_divergence.size(); ++a)
-              for (unsigned int c = 0; c < dim; ++c)
-                at.mean_divergence[a][c] += weight * divergence(of, a, c);
+              at.mean_divergence[a] += weight * of.divergence[a];
           }
       }
   }
@@ -263,13 +388,15 @@ namespace Signorini
     for (unsigned int a = 0; a < strain_operators_.size(); ++a)
       {
         Operator &B = strain_operators_[a];
-        B = strain_operator<dim, n_strains>(kinematics.shape_gradients[a],
-                                            kinematics.over_r[a]);
+        B           = strain_operator<dim, n_strains>(
+          kinematics.shape_gradients[a], kinematics.over_r[a]);
+        if (is_mean_)
+          turn(kinematics, B);
         if (has_mean_dilatation_)
           for (unsigned int c = 0; c < dim; ++c)
             {
               const double shift = (kinematics.mean_divergence[a][c] -
-                                    divergence(kinematics, a, c)) /
+                                    kinematics.divergence[a][c]) /
                                    3.;
               for (const unsigned int row : normal_rows<n_strains>())
                 B[row][c] += shift;
@@ -281,17 +408,42 @@ namespace Signorini
 
   template <int dim, int n_strains>
   void
-  CellResponse<dim, n_strains>::add_force(const PointResponse &response,
-                                          const double         volume)
+  CellResponse<dim, n_strains>::turn(const DeformedPoint &kinematics,
+                                     Operator            &B) const
   {
-    for (unsigned int a = 0; a < strain_operators_.size(); ++a)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          double sum = 0.;
-          for (unsigned int s = 0; s < n_strains; ++s)
-            sum += strain_operators_[a][s][c] * response.stress[s];
-          force[a * dim + c] += volume * sum;
-        }
+    constexpr bool has_across = dim == 2 && n_strains == 4;
+    for (unsigned int row = 0; row < n_strains - has_across; ++row)
+      {
+        Tensor<1, dim> entries;
+        for (unsigned int c = 0; c < dim; ++c)
+          entries[c] = B[row][c];
+        entries = kinematics.turn * entries;
+        for (unsigned int c = 0; c < dim; ++c)
+          B[row][c] = entries[c];
+      }
+    if constexpr (has_across)
+      B[3][0] *= kinematics.hoop_turn;
+  }
+
+
+
+  template <int dim, int n_strains>
+  void
+  CellResponse<dim, n_strains>::add_forces()
+  {
+    force = 0.;
+    for (unsigned int q = 0; q < points_.size(); ++q)
+      {
+        set_strain_operators(points_[q]);
+        for (unsigned int a = 0; a < strain_operators_.size(); ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              double sum = 0.;
+              for (unsigned int s = 0; s < n_strains; ++s)
+                sum += strain_operators_[a][s][c] * responses_[q].stress[s];
+              force[a * dim + c] += points_[q].volume * sum;
+            }
+      }
   }
 
 
@@ -327,21 +479,18 @@ namespace Signorini
   template <int dim, int n_strains>
   void
   CellResponse<dim, n_strains>::add_dilatation_stiffness(
-    const unsigned int   q,
+    const DeformedPoint &kinematics,
     const PointResponse &response)
   {
     // With l = grad du, L = grad Du, alpha = (mean div - div)/3 of du, beta
     // that of Du, p = tr(stress)/3:
     //   2 alpha stress:L + 2 beta stress:l + 6 alpha beta p + p tr(l L).
     const SpatialStress<dim, n_strains> stress(response.stress);
-    const double         p = (trace(stress.between) + stress.across) / 3.;
-    const DeformedPoint &kinematics = points_[q];
-    pressures_[q]                   = kinematics.volume * p;
-
-    const auto &g      = kinematics.shape_gradients;
+    const double p      = (trace(stress.between) + stress.across) / 3.;
+    const auto  &g      = kinematics.shape_gradients;
     const auto &over_r = kinematics.over_r;
     const auto  alpha  = [&](const unsigned int a, const unsigned int c) {
-      return (kinematics.mean_divergence[a][c] - divergence(kinematics, a, c)) /
+      return (kinematics.mean_divergence[a][c] - kinematics.divergence[a][c]) /
              3.;
     };
     for (unsigned int b = 0; b < g.size(); ++b)
@@ -378,11 +527,8 @@ namespace Signorini
         const DeformedPoint &kinematics = points_[r];
         const auto          &g          = kinematics.shape_gradients;
         const auto          &over_r     = kinematics.over_r;
+        const auto          &divergence = kinematics.divergence;
         const auto          &mean       = kinematics.mean_divergence;
-        double               weight     = 0.;
-        for (unsigned int q = 0; q < points_.size(); ++q)
-          weight += pressures_[q] / mean_volume_ratio(points_[q]) *
-                    projection_(q, r) * volume_ratio(kinematics);
         for (unsigned int b = 0; b < g.size(); ++b)
           for (unsigned int a = b; a < g.size(); ++a)
             for (unsigned int i = 0; i < dim; ++i)
@@ -391,12 +537,24 @@ namespace Signorini
                   const double product =
                     trace_of_product(g[a], over_r[a], i, g[b], over_r[b], j);
                   stiffness(a * dim + i, b * dim + j) +=
-                    weight * (divergence(kinematics, a, i) *
-                                divergence(kinematics, b, j) -
-                              product) -
+                    weights_[r] *
+                      (divergence[a][i] * divergence[b][j] - product) -
                     pressures_[r] * mean[a][i] * mean[b][j];
                 }
       }
+  }
+
+
+
+  template <int dim, int n_strains>
+  Tensor<2, dim>
+  CellResponse<dim, n_strains>::deformation_gradient(
+    const Tensor<2, dim> &gradient) const
+  {
+    Tensor<2, dim> F(unit_symmetric_tensor<dim>());
+    if (is_finite_)
+      F += gradient;
+    return F;
   }
 
 

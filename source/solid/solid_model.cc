@@ -134,8 +134,7 @@ namespace Signorini
         add_response(
           *parts_[b].body,
           constraints_,
-          zero,
-          0.,
+          {zero},
           history_of(b, history_n),
           make_array_view(response.history.data() + first_history_[b],
                           response.history.data() + first_history_[b + 1]),
@@ -297,8 +296,7 @@ namespace Signorini
 
   template <int dim>
   SolidResponse
-  SolidModel<dim>::respond(const Vector<double>      &displacement,
-                           const double               step_size,
+  SolidModel<dim>::respond(const SolidStep           &step,
                            const std::vector<double> &history_n,
                            SparseMatrix<double>      *tangent) const
   {
@@ -306,10 +304,20 @@ namespace Signorini
     response.internal_force.reinit(n_dofs());
     if (is_linear_)
       {
-        stiffness_.vmult(response.internal_force, displacement);
-        response.stored_energy = 0.5 * (displacement * response.internal_force);
+        stiffness_.vmult(response.internal_force, step.displacement);
+        response.stored_energy =
+          0.5 * (step.displacement * response.internal_force);
+        if (step.displacement_n)
+          {
+            Vector<double> mean(step.displacement);
+            mean.sadd(0.5, 0.5, *step.displacement_n);
+            response.mean_force.reinit(n_dofs());
+            stiffness_.vmult(response.mean_force, mean);
+          }
         return response;
       }
+    if (step.displacement_n)
+      response.mean_force.reinit(n_dofs());
     AssertDimension(history_n.size(), first_history_.back());
     response.history = history_n;
     if (tangent)
@@ -321,8 +329,7 @@ namespace Signorini
     for (unsigned int b = 0; b < parts_.size(); ++b)
       add_response(*parts_[b].body,
                    constraints_,
-                   displacement,
-                   step_size,
+                   step,
                    history_of(b, history_n),
                    make_array_view(response.history.data() + first_history_[b],
                                    response.history.data() +

@@ -17,13 +17,29 @@ namespace Signorini
     explicit SpatialStress(const ReducedStress &reduced)
       : across(dim == 2 && n_strains == 4 ? reduced[3] : 0.)
     {
-      constexpr unsigned int n_shear     = dim == 2 ? 1 : 3;
-      constexpr unsigned int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
       for (unsigned int i = 0; i < dim; ++i)
         between[i][i] = reduced[i];
       for (unsigned int k = 0; k < n_shear; ++k)
         between[pairs[k][0]][pairs[k][1]] = between[pairs[k][1]][pairs[k][0]] =
           reduced[dim + k];
+    }
+
+    SpatialStress(const dealii::Tensor<2, dim> &between, const double across)
+      : between(between)
+      , across(across)
+    {}
+
+    ReducedStress
+    reduced() const
+    {
+      ReducedStress result = {};
+      for (unsigned int i = 0; i < dim; ++i)
+        result[i] = between[i][i];
+      for (unsigned int k = 0; k < n_shear; ++k)
+        result[dim + k] = between[pairs[k][0]][pairs[k][1]];
+      if (dim == 2 && n_strains == 4)
+        result[3] = across;
+      return result;
     }
 
     /**
@@ -40,6 +56,10 @@ namespace Signorini
 
     dealii::Tensor<2, dim> between;
     double                 across;
+
+  private:
+    static constexpr unsigned int n_shear     = dim == 2 ? 1 : 3;
+    static constexpr unsigned int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
   };
 
   /**

@@ -67,6 +67,14 @@ namespace Signorini
 
 
   GeneralizedAlpha
+  midpoint_rule()
+  {
+    return {0.5, 0.5, 0.25, 0.5};
+  }
+
+
+
+  GeneralizedAlpha
   newmark(const double beta, const double gamma)
   {
     return generalized_alpha(0., 0., beta, gamma);

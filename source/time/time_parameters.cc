@@ -36,6 +36,8 @@ namespace Signorini
          }},
         {"Meguid-Czekanski",
          [](const ParameterHandler &) { return meguid_czekanski(); }},
+        {"energy momentum",
+         [](const ParameterHandler &) { return midpoint_rule(); }},
         {"generalized alpha", [](const ParameterHandler &prm) {
            return generalized_alpha(prm.get_double("alpha_B"),
                                     prm.get_double("alpha_H"),
@@ -48,10 +50,46 @@ namespace Signorini
     std::string
     scheme_names()
     {
-      std::string names;
+      std::string names = "automatic";
       for (const auto &[name, scheme] : schemes())
-        names += (names.empty() ? "" : "|") + name;
+        names += "|" + name;
       return names;
+    }
+
+    constexpr char   conserving[]        = "energy momentum";
+    constexpr double usual_spectral_radius = 0.98;
+
+    // Large strains and rotations need a scheme that keeps energy by
+    // construction; others are bound to it only in what is linear. Plastic flow
+    // takes more than they make, and massless nodes serve impacts.
+    std::string
+    scheme_name(const bool is_large_and_elastic, const ParameterHandler &prm)
+    {
+      const std::string name = prm.get("Scheme");
+      if (name != "automatic")
+        return name;
+      if (!is_large_and_elastic)
+        return "Chung-Hulbert";
+      if (prm.get_double("Spectral radius") != usual_spectral_radius)
+        throw InputError(
+          "Time / Spectral radius: is not read, since Scheme = automatic is "
+          "energy momentum for elastic bodies with finite strain. Leave the entry out, or set "
+          "Scheme = Chung-Hulbert.");
+      return conserving;
+    }
+
+    std::string
+    contact_mass_name(const std::string &scheme, const ParameterHandler &prm)
+    {
+      const std::string name = prm.get("Contact mass");
+      if (name == "automatic")
+        return scheme == conserving ? "consistent" : "redistributed";
+      if (name == "redistributed" && scheme == conserving)
+        throw InputError(
+          "Time / Contact mass: redistributed takes the mass from nodes, and "
+          "the scheme energy momentum needs that of every node. Set Contact "
+          "mass = consistent, or Scheme = Chung-Hulbert.");
+      return name;
     }
 
     std::string
@@ -75,14 +113,17 @@ namespace Signorini
     {
       prm.declare_entry(
         "Scheme",
-        "Chung-Hulbert",
+        "automatic",
         Patterns::Selection(scheme_names()),
-        "Time integration. Chung-Hulbert reads `Spectral radius', HHT "
+        "Time integration. automatic: energy momentum for elastic bodies with "
+        "finite strain, and Chung-Hulbert for others. energy momentum keeps energy, "
+        "momentum and angular momentum in steps of any size, whatever the "
+        "strains and rotations; plastic flow it takes as it comes. Chung-Hulbert reads `Spectral radius', HHT "
         "`alpha_H', Newmark `beta' and `gamma', generalized alpha all four "
         "numbers; trapezoidal and Meguid-Czekanski (the set of their section "
         "6.4) read none.");
       prm.declare_entry("Spectral radius",
-                        "0.98",
+                        std::to_string(usual_spectral_radius).substr(0, 4),
                         Patterns::Double(),
                         "Factor per step of infinitely high frequencies, in "
                         "[0, 1]: 1 keeps them, 0 removes them. Unit: 1.");
@@ -145,9 +186,10 @@ namespace Signorini
     StepControl::declare_parameters(prm);
     declare_scheme(prm);
     prm.declare_entry("Contact mass",
-                      "redistributed",
-                      Patterns::Selection("consistent|redistributed"),
-                      "redistributed: nodes lose their mass when they come "
+                      "automatic",
+                      Patterns::Selection("automatic|consistent|redistributed"),
+                      "automatic: consistent with the scheme energy momentum, "
+                      "redistributed with others. redistributed: nodes lose their mass when they come "
                       "into contact, and contact forces do not ring. It goes "
                       "inwards; mass, centre of mass and moments of inertia of "
                       "each body are kept, and so are its energy and momenta. "
@@ -184,7 +226,9 @@ namespace Signorini
   {
     EntryConditions list = {
       contradiction(
-        read_with({"Spectral radius"}, "Scheme", {"Chung-Hulbert"})),
+        read_with({"Spectral radius"},
+                              "Scheme",
+                              {"Chung-Hulbert", "automatic"})),
       contradiction(read_with({"alpha_B"}, "Scheme", {"generalized alpha"})),
       contradiction(
         read_with({"alpha_H"}, "Scheme", {"HHT", "generalized alpha"})),
@@ -231,8 +275,6 @@ namespace Signorini
                        "to take out. Set Final relaxation = none.");
     parameters.end_time            = prm.get_double("End time");
     parameters.step_size           = prm.get_double("Step size");
-    parameters.scheme              = schemes().at(prm.get("Scheme"))(prm);
-    parameters.contact_mass        = prm.get("Contact mass");
     parameters.return_contact_work = prm.get("Contact work") == "returned";
     parameters.lump_mass           = prm.get("Mass matrix") == "lumped";
     parameters.maximal_iterations  = prm.get_integer("Maximal iterations");
@@ -265,5 +307,20 @@ namespace Signorini
                        number(most_steps) + ". Choose a longer step.");
     prm.leave_subsection();
     return parameters;
+  }
+
+
+
+  void
+  TimeParameters::parse_scheme(const bool        is_large_and_elastic,
+                               ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    const std::string name =
+      dynamic ? scheme_name(is_large_and_elastic, prm) : "trapezoidal";
+    scheme           = schemes().at(name)(prm);
+    conserves_energy = name == conserving;
+    contact_mass     = contact_mass_name(name, prm);
+    prm.leave_subsection();
   }
 } // namespace Signorini

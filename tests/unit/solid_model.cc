@@ -22,7 +22,7 @@ namespace
     Vector<double> u(model.n_dofs()), motion(model.n_dofs());
     model.apply_supports(1., u);
     Vector<double> r(model.external_force(1., u));
-    r -= model.respond(u, 0., {}).internal_force;
+    r -= model.respond({u}, {}).internal_force;
     SparseCholesky cholesky;
     cholesky.analyse(model.sparsity(), model.is_fixed(), {});
     cholesky.factorise(model.stiffness());

@@ -114,7 +114,7 @@ namespace
                 const std::vector<double> &history)
   {
     SparseMatrix<double> tangent;
-    model.respond(u, 1., history, &tangent);
+    model.respond({u, 1.}, history, &tangent);
     const double step  = 1e-6;
     double       error = 0., largest = 0.;
     for (unsigned int j = 0; j < model.n_dofs(); ++j)
@@ -122,9 +122,9 @@ namespace
         Vector<double> shifted(u);
         shifted[j] += step;
         Vector<double> difference =
-          model.respond(shifted, 1., history).internal_force;
+          model.respond({shifted, 1.}, history).internal_force;
         shifted[j] -= 2. * step;
-        difference -= model.respond(shifted, 1., history).internal_force;
+        difference -= model.respond({shifted, 1.}, history).internal_force;
         for (unsigned int i = 0; i < model.n_dofs(); ++i)
           {
             const double entry = tangent.el(i, j);
@@ -155,7 +155,7 @@ namespace
     // 2. While everything flows, after a first plastic step.
     const auto model   = make_model<dim>(test, plastic);
     const auto u       = random_motion(model, 0.1);
-    const auto flowing = model.respond(u, 1., model.initial_history());
+    const auto flowing = model.respond({u, 1.}, model.initial_history());
     BOOST_TEST(flowing.plastic_work > 0.);
     Vector<double> further(u);
     further *= 1.3;
@@ -188,14 +188,14 @@ BOOST_AUTO_TEST_CASE(forces_are_the_derivative_of_the_energy)
         const auto     model   = make_model<2>(test, " set Law = elastic\n");
         const auto     history = model.initial_history();
         Vector<double> u       = random_motion(model, 0.1);
-        const auto     here    = model.respond(u, 1., history);
+        const auto     here    = model.respond({u, 1.}, history);
         const double   step    = 1e-5;
         for (unsigned int i = 0; i < model.n_dofs(); ++i)
           {
             u[i] += step;
-            const double more = model.respond(u, 1., history).stored_energy;
+            const double more = model.respond({u, 1.}, history).stored_energy;
             u[i] -= 2. * step;
-            const double less = model.respond(u, 1., history).stored_energy;
+            const double less = model.respond({u, 1.}, history).stored_energy;
             u[i] += step;
             BOOST_TEST(
               std::abs((more - less) / (2. * step) - here.internal_force[i]) <
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(rigid_rotation_leaves_forces_turned_and_no_flow)
         {"", Formulation::plane_strain, Kinematics::finite_strain, dilatation},
         plastic);
       const Vector<double> u = random_motion(model, 0.05);
-      const auto before      = model.respond(u, 1., model.initial_history());
+      const auto before      = model.respond({u, 1.}, model.initial_history());
 
       // By 90 degrees about the origin in one step: (x, y) to (-y, x).
       Vector<double> turned(model.n_dofs());
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_cell_inside_out_is_named)
       u[node.dofs[0]] = -1.5;
   try
     {
-      model.respond(u, 1., model.initial_history());
+      model.respond({u, 1.}, model.initial_history());
       BOOST_ERROR("nothing thrown");
     }
   catch (const MaterialFailure &failure)

@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/simulation/effective_system.h>
 #include <signorini/simulation/state.h>
+#include <signorini/simulation/step_contact.h>
 #include <signorini/solid/solid_model.h>
 
 namespace Signorini
@@ -36,6 +37,7 @@ namespace Signorini
                       const typename SolidModel<dim>::RedistributedMass &mass,
                       const State                          &old_state,
                       const std::vector<ContactPoint<dim>> &points,
+                      const StepContact<dim>               &step_contact,
                       EffectiveSystem<dim>                 &system,
                       State                                &state);
 } // namespace Signorini

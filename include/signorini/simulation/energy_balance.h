@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/simulation/state.h>
+#include <signorini/simulation/step_contact.h>
 #include <signorini/solid/solid_model.h>
 
 #include <deal.II/lac/sparse_matrix.h>
@@ -25,16 +26,16 @@ namespace Signorini
                          State                                &state);
 
   /**
-   * Adds to the ledger the works of a step, each by the trapezoidal rule: mean
-   * force times motion. Friction takes sum_k (tau_n + tau_np)/2 . slip_k.
+   * Adds to the ledger the works of a step: mean force times motion.
+   * @param support_force mean of the step, of given unknowns, N
    */
   template <int dim>
   void
-  measure_work(const SolidModel<dim>                &solid,
-               const ContactModel<dim>              &contact,
-               const State                          &old_state,
-               const std::vector<ContactPoint<dim>> &points,
-               State                                &state);
+  measure_work(const SolidModel<dim>        &solid,
+               const StepContact<dim>       &contact,
+               const dealii::Vector<double> &support_force,
+               const State                  &old_state,
+               State                        &state);
 } // namespace Signorini
 
 #endif

@@ -262,9 +262,22 @@ namespace Signorini
     void
     finish(const State                          &old_state,
            const double                          step_size,
+           const dealii::Vector<double>         &residual,
            const std::vector<ContactPoint<dim>> &points,
            const Iterate                        &iterate,
            State                                &state);
+
+    void
+    set_mean_acceleration(const State &old_state,
+                          const double step_size,
+                          State       &state) const;
+
+    // Over the step, of given unknowns, N.
+    dealii::Vector<double>
+    mean_support_force(const State                          &old_state,
+                       const dealii::Vector<double>         &residual,
+                       const std::vector<ContactPoint<dim>> &points,
+                       const State                          &state) const;
 
     void
     measure_motion(State &state);
@@ -274,6 +287,7 @@ namespace Signorini
     Settings                 settings_;
     Timings                 &timings_;
     GeneralizedAlpha         scheme_;
+    bool                     conserves_energy_;
     double                   multiplier_factor_;
     GeneralizedAlpha         rigid_scheme_;
     double                   rigid_share_; // 1 over the scale of their rows
@@ -297,6 +311,7 @@ namespace Signorini
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;
     dealii::Vector<double>       tangent_displacement_; // where it is
+    dealii::Vector<double>       mean_internal_force_; // if energy is kept, N
     unsigned int                 section_residual_;
     unsigned int                 section_assembly_;
     unsigned int                 section_contact_;

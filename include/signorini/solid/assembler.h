@@ -16,9 +16,18 @@ namespace Signorini
   struct SolidResponse
   {
     dealii::Vector<double> internal_force;     // of all unknowns, N
+    dealii::Vector<double> mean_force;         // over the step, N, if wanted
     std::vector<double>    history;            // of the points of all bodies
     double                 stored_energy = 0.; // J
     double                 plastic_work  = 0.; // since the start, J
+  };
+
+  /** A step of the bodies to a displacement. */
+  struct SolidStep
+  {
+    const dealii::Vector<double> &displacement;             // of all unknowns, m
+    double                        size           = 0.;      // s
+    const dealii::Vector<double> *displacement_n = nullptr; // at its start, m
   };
 
   /** Numbers that the points of a body remember between two steps. */
@@ -34,8 +43,11 @@ namespace Signorini
    *
    * @param constraints  hanging nodes, in the counting of all unknowns; their
    *                     rows and columns are condensed
-   * @param displacement of all unknowns, m
-   * @param step_size    s, for laws that depend on the rate
+   * @param step         its size is for laws that depend on the rate. With a
+   *                     start the mean force over it is added, too, that does as
+   *                     much work as the energy of the body takes up; the
+   *                     tangent is then twice the derivative of that (see
+   *                     CellResponse)
    * @param history_n    of the points of this body
    * @param history      gets those of the end of the step
    * @throws MaterialFailure with the cell where a law has no answer.
@@ -44,8 +56,7 @@ namespace Signorini
   void
   add_response(const Body<dim>                         &body,
                const dealii::AffineConstraints<double> &constraints,
-               const dealii::Vector<double>            &displacement,
-               const double                             step_size,
+               const SolidStep                         &step,
                const dealii::ArrayView<const double>    history_n,
                const dealii::ArrayView<double>          history,
                SolidResponse                           &response,

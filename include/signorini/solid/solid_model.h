@@ -193,14 +193,14 @@ namespace Signorini
     /**
      * Internal forces, energies and new history of the points.
      *
-     * @param step_size from the state of @p history_n to this displacement, s
+     * @param step    from the state of @p history_n to this displacement; with
+     *                its start the mean force is found, too, see add_response()
      * @param tangent   gets the tangent stiffness unless null; not for linear
      *                  solids, whose stiffness() it is
      * @throws MaterialFailure
      */
     SolidResponse
-    respond(const dealii::Vector<double> &displacement,
-            const double                  step_size,
+    respond(const SolidStep              &step,
             const std::vector<double>    &history_n,
             dealii::SparseMatrix<double> *tangent = nullptr) const;
 

@@ -80,6 +80,14 @@ namespace Signorini
   trapezoidal_rule();
 
   /**
+   * All forces those of the middle of the step: with mean internal forces that
+   * do as much work as the stored energy takes up, it keeps energy and momenta
+   * [Simo & Tarnow 1992].
+   */
+  GeneralizedAlpha
+  midpoint_rule();
+
+  /**
    * Newmark's method with both numbers free. @throws InputError unless
    * 2 beta >= gamma >= 1/2 (unconditional stability).
    */

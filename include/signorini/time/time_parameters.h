@@ -39,6 +39,7 @@ namespace Signorini
     double           step_size; // s
     StepControl      step_control;
     GeneralizedAlpha scheme;
+    bool             conserves_energy; // internal forces are those of the step
     std::string      contact_mass; // consistent | redistributed
     bool             return_contact_work;
     bool             lump_mass;
@@ -52,9 +53,20 @@ namespace Signorini
     static EntryConditions
     conditions();
 
-    /** @throws InputError when a combination makes no sense. */
+    /** All but the scheme. @throws InputError when a combination makes no
+     * sense. */
     static TimeParameters
     parse(dealii::ParameterHandler &prm);
+
+    /**
+     * The scheme, and which nodes have mass.
+     * @param is_large_and_elastic the bodies have finite strains and remember
+     *                             nothing: what `automatic' depends on
+     * @throws InputError when a combination makes no sense.
+     */
+    void
+    parse_scheme(const bool                is_large_and_elastic,
+                 dealii::ParameterHandler &prm);
   };
 } // namespace Signorini
 
