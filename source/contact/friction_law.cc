@@ -59,6 +59,10 @@ namespace Signorini
             "mu of a contact that slipped in the step before. A function of v, "
             "the slip rate in m/s, or a number. Empty: the same as Friction "
             "coefficient. Unit: 1.");
+    declare("Slip weakening length",
+            "0",
+            "Way of slip over which the coefficient falls from the static to "
+            "the kinetic one, in proportion; 0: at once. Unit: m.");
     declare("Shear stress limit",
             "",
             "tau_max: friction is also at most this stress (Tresca's law where "
@@ -84,6 +88,7 @@ namespace Signorini
     const std::string kinetic = get("Kinetic friction coefficient");
     if (kinetic.empty())
       return law;
+    law.weakening_length_ = parse_entry("Slip weakening length");
     const std::string entry = path("Kinetic friction coefficient");
     if (law.static_coefficient_ == 0.)
       throw InputError(entry + ": found " + kinetic +
@@ -100,12 +105,20 @@ namespace Signorini
 
 
   double
-  FrictionLaw::coefficient(const bool sticks, const double slip_rate) const
+  FrictionLaw::coefficient(const bool   sticks,
+                           const double slip_rate,
+                           const double slip_way) const
   {
     if (sticks || is_constant())
       return static_coefficient_;
-    if (kinetic_coefficient_)
-      return *kinetic_coefficient_;
-    return std::max(0., coefficient_of_rate_->value({slip_rate}));
+    const double kinetic =
+      kinetic_coefficient_ ?
+        *kinetic_coefficient_ :
+        std::max(0., coefficient_of_rate_->value({slip_rate}));
+    const double left =
+      weakening_length_ > 0. ?
+        std::max(0., 1. - slip_way / weakening_length_) :
+        0.;
+    return kinetic + left * (static_coefficient_ - kinetic);
   }
 } // namespace Signorini

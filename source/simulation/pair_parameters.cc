@@ -140,6 +140,7 @@ namespace Signorini
     return {
       contradiction(read_with({"Press fit end"}, "Overclosure", {"press fit"})),
       read_if_set({"Shear stress limit"}, "Friction coefficient"),
+      read_if_set({"Slip weakening length"}, "Kinetic friction coefficient"),
       read_with({"Surface", "Knots", "Feature angle"},
                 "Constraint",
                 {"node to surface"}),

@@ -124,6 +124,17 @@ namespace Signorini
             "free components. Give it, or set Time / Analysis = static.");
     }
 
+    template <int dim>
+    bool
+    is_elastic(const SolidModel<dim> &solid)
+    {
+      for (const auto &part : solid.parts())
+        for (const Material *const material : part.body->materials())
+          if (material->n_history_values() > 0)
+            return false;
+      return true;
+    }
+
     ContactMass
     contact_mass(const std::string &name)
     {
@@ -319,7 +330,7 @@ namespace Signorini
       }
     problem.solid = std::make_unique<SolidModel<dim>>(std::move(parts), lumped);
     problem.time.parse_scheme(kinematics == Kinematics::finite_strain &&
-                                problem.solid->initial_history().empty(),
+                                is_elastic(*problem.solid),
                               prm);
     problem.initial_displacement.reinit(n_dofs);
     problem.initial_velocity.reinit(n_dofs);

@@ -149,7 +149,7 @@ namespace Signorini
             continue;
           const auto   normal = powers(point.gap_gradient);
           const double mu =
-            with_friction ? pair.friction.coefficient(true, 0.) : 0.;
+            with_friction ? pair.friction.coefficient(true, 0., 0.) : 0.;
           if (mu == 0.)
             add(k, normal, 0.);
           else

@@ -16,7 +16,8 @@ namespace Signorini
         {
           const unsigned int k = pair.first_contact + n;
           coefficients[k] = pair.friction.coefficient(state.is_slipping[k] == 0,
-                                                      state.slip_rates[k]);
+                                                      state.slip_rates[k],
+                                                      state.slip_ways[k]);
         }
     return coefficients;
   }
@@ -56,7 +57,10 @@ namespace Signorini
           state.slips[k] = slip;
         for (unsigned int j = 0; j < 2; ++j)
           state.slips[k][j] += slip[j];
-        state.slip_rates[k] = std::hypot(slip[0], slip[1]) / step_size;
+        const double way    = std::hypot(slip[0], slip[1]);
+        state.slip_rates[k] = way / step_size;
+        state.slip_ways[k]  = state.is_slipping[k] ? state.slip_ways[k] + way :
+                                                     0.;
       }
   }
 

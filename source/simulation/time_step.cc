@@ -155,6 +155,7 @@ namespace Signorini
     state.contact_forces = InterfaceForces(contact_.n_contacts());
     state.slips.resize(contact_.n_contacts());
     state.slip_rates.resize(contact_.n_contacts());
+    state.slip_ways.resize(contact_.n_contacts());
     state.is_slipping.resize(contact_.n_contacts());
     solid_.apply_supports(0., state.displacement);
     // A static run starts unloaded: its first step brings the loads from zero.

@@ -68,13 +68,10 @@ namespace Signorini
       const std::string name = prm.get("Scheme");
       if (name != "automatic")
         return name;
-      if (!is_large_and_elastic)
+      const bool names_radius =
+        prm.get_double("Spectral radius") != usual_spectral_radius;
+      if (!is_large_and_elastic || names_radius)
         return "Chung-Hulbert";
-      if (prm.get_double("Spectral radius") != usual_spectral_radius)
-        throw InputError(
-          "Time / Spectral radius: is not read, since Scheme = automatic is "
-          "energy momentum for elastic bodies with finite strain. Leave the entry out, or set "
-          "Scheme = Chung-Hulbert.");
       return conserving;
     }
 
@@ -116,7 +113,8 @@ namespace Signorini
         "automatic",
         Patterns::Selection(scheme_names()),
         "Time integration. automatic: energy momentum for elastic bodies with "
-        "finite strain, and Chung-Hulbert for others. energy momentum keeps energy, "
+        "finite strain unless a Spectral radius is given, and Chung-Hulbert "
+        "for others. energy momentum keeps energy, "
         "momentum and angular momentum in steps of any size, whatever the "
         "strains and rotations; plastic flow it takes as it comes. Chung-Hulbert reads `Spectral radius', HHT "
         "`alpha_H', Newmark `beta' and `gamma', generalized alpha all four "

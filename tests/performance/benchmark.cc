@@ -201,8 +201,7 @@ namespace
       stiffness = 0.;
       add_response(*alone.solid->parts()[0].body,
                    alone.solid->constraints(),
-                   zero,
-                   0.,
+                   {zero},
                    {},
                    {},
                    response,
@@ -303,7 +302,7 @@ namespace
         for (const auto &node : solid.parts()[0].body->nodes())
           u[node.dofs[1]] = -strain * node.point[1];
         const double assembly =
-          least_seconds(3, [&] { solid.respond(u, 1., history, &tangent); });
+          least_seconds(3, [&] { solid.respond({u, 1.}, history, &tangent); });
         print(std::string("assembly, all points ") + name,
               1e3 * assembly,
               "ms");

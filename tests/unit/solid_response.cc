@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(rigid_rotation_leaves_forces_turned_and_no_flow)
           turned[node.dofs[0]] = -y - node.point[0];
           turned[node.dofs[1]] = x - node.point[1];
         }
-      const auto   after = model.respond(turned, 1., before.history);
+      const auto   after = model.respond({turned, 1.}, before.history);
       const double scale = before.internal_force.linfty_norm();
       for (const auto &node : model.parts()[0].body->nodes())
         {
@@ -240,6 +240,169 @@ BOOST_AUTO_TEST_CASE(rigid_rotation_leaves_forces_turned_and_no_flow)
       BOOST_TEST(std::abs(after.plastic_work - before.plastic_work) <
                  1e-11 * before.plastic_work);
     }
+}
+
+
+
+namespace
+{
+  // Work of the mean force of a step beside the change of the stored energy,
+  // and its resultants, which are zero, relative to the size of its terms.
+  template <int dim>
+  void
+  check_mean_force(const SolidModel<dim> &model,
+                   const Vector<double>  &u_n,
+                   const Vector<double>  &u)
+  {
+    const auto history = model.initial_history();
+    const auto before  = model.respond({u_n, 1.}, history);
+    const auto after   = model.respond({u, 1., &u_n}, history);
+    double     work = 0., terms = 0.;
+    for (unsigned int i = 0; i < u.size(); ++i)
+      {
+        work += after.mean_force[i] * (u[i] - u_n[i]);
+        terms += std::abs(after.mean_force[i] * (u[i] - u_n[i]));
+      }
+    BOOST_TEST(
+      std::abs(work - (after.stored_energy - before.stored_energy)) <
+      1e-9 * terms + 1e-14 * after.stored_energy);
+
+    Tensor<1, dim> sum;
+    Tensor<2, dim> moments;
+    for (const auto &node : model.parts()[0].body->nodes())
+      {
+        Tensor<1, dim> force, middle(node.point);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            force[c] = after.mean_force[node.dofs[c]];
+            middle[c] += 0.5 * (u_n[node.dofs[c]] + u[node.dofs[c]]);
+          }
+        sum += force;
+        moments += outer_product(middle, force);
+      }
+    const double scale = after.mean_force.linfty_norm();
+    if (model.parts()[0].body->formulation() == Formulation::axisymmetric)
+      {
+        BOOST_TEST(std::abs(sum[1]) < 1e-12 * scale);
+        return;
+      }
+    BOOST_TEST(sum.norm() < 1e-12 * scale);
+    BOOST_TEST((moments - transpose(moments)).norm() < 1e-12 * scale);
+  }
+
+  template <int dim>
+  void
+  check_mean_forces(const Case &test)
+  {
+    for (const std::string law :
+         {" set Law = elastic\n", " set Law = neo-Hooke\n"})
+      {
+        const auto           model = make_model<dim>(test, law);
+        const Vector<double> u_n   = random_motion(model, 0.05);
+        for (const double size : {1e-6, 1e-3, 0.3, 1.})
+          {
+            Vector<double> u = random_motion(model, 0.1);
+            for (unsigned int i = 0; i < u.size(); ++i)
+              u[i] = u_n[i] + size * (i % 3 == 0 ? u[i] : -u_n[i]);
+            check_mean_force(model, u_n, u);
+          }
+      }
+  }
+} // namespace
+
+
+
+BOOST_AUTO_TEST_CASE(mean_force_does_the_work_of_the_energy_and_no_more)
+{
+  for (const Case &test : cases())
+    BOOST_TEST_CONTEXT(test.name)
+    {
+      if (test.formulation == Formulation::three_dimensional)
+        check_mean_forces<3>(test);
+      else
+        check_mean_forces<2>(test);
+    }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(mean_force_of_a_rotation_does_no_work)
+{
+  for (const std::string &dilatation :
+       {std::string("pointwise"), std::string("mean"), quadratic})
+    for (const double angle : {1e-4, 0.03, 1.})
+      {
+        const auto model           = make_model<2>({"",
+                                                    Formulation::plane_strain,
+                                                    Kinematics::finite_strain,
+                                                    dilatation},
+                                         " set Law = neo-Hooke\n");
+        const Vector<double> u     = random_motion(model, 0.05);
+        Vector<double>       turned(model.n_dofs());
+        for (const auto &node : model.parts()[0].body->nodes())
+          {
+            const double x       = node.point[0] + u[node.dofs[0]];
+            const double y       = node.point[1] + u[node.dofs[1]];
+            turned[node.dofs[0]] = x * std::cos(angle) - y * std::sin(angle) -
+                                   node.point[0];
+            turned[node.dofs[1]] = x * std::sin(angle) + y * std::cos(angle) -
+                                   node.point[1];
+          }
+        check_mean_force(model, u, turned);
+      }
+}
+
+
+
+BOOST_AUTO_TEST_CASE(tangent_of_a_step_is_twice_the_symmetric_derivative)
+{
+  for (const Case &test : cases())
+    if (test.formulation != Formulation::three_dimensional &&
+        test.kinematics == Kinematics::finite_strain)
+      BOOST_TEST_CONTEXT(test.name)
+      {
+        const auto model   = make_model<2>(test, " set Law = neo-Hooke\n");
+        const auto history = model.initial_history();
+        const Vector<double> u_n = random_motion(model, 0.05);
+        // What the tangent leaves out is of second order in the step.
+        std::vector<double> errors;
+        for (const double size : {4e-2, 2e-2})
+          {
+            Vector<double> u(u_n);
+            u.add(size, random_motion(model, 1.));
+            u.add(-size, u_n);
+            SparseMatrix<double> tangent;
+            model.respond({u, 1., &u_n}, history, &tangent);
+            FullMatrix<double> derivative(model.n_dofs());
+            const double       step = 1e-6;
+            for (unsigned int j = 0; j < model.n_dofs(); ++j)
+              {
+                Vector<double> shifted(u);
+                shifted[j] += step;
+                Vector<double> change =
+                  model.respond({shifted, 1., &u_n}, history).mean_force;
+                shifted[j] -= 2. * step;
+                change -=
+                  model.respond({shifted, 1., &u_n}, history).mean_force;
+                for (unsigned int i = 0; i < model.n_dofs(); ++i)
+                  derivative(i, j) = change[i] / step;
+              }
+            double error = 0., largest = 0.;
+            for (unsigned int i = 0; i < model.n_dofs(); ++i)
+              for (unsigned int j = 0; j < model.n_dofs(); ++j)
+                {
+                  const double entry = tangent.el(i, j);
+                  largest            = std::max(largest, std::abs(entry));
+                  error              = std::max(
+                    error,
+                    std::abs(entry -
+                                          0.5 * (derivative(i, j) + derivative(j, i))));
+                }
+            errors.push_back(error / largest);
+          }
+        BOOST_TEST(errors[0] < 0.02);
+        BOOST_TEST(errors[1] < 0.35 * errors[0]);
+      }
 }
 
 

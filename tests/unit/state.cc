@@ -45,6 +45,7 @@ namespace
     s.energy.friction              = 0.5;
     s.slips                        = {{{0., 0.}}, {{1e-3, 0.}}};
     s.slip_rates                   = {0., 3.};
+    s.slip_ways                    = {0., 0.5};
     s.is_slipping                  = {0, 1};
     s.n_iterations                 = 2;
     s.residual                     = 1e-12;

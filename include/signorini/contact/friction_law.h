@@ -21,8 +21,10 @@ namespace Signorini
    *
    *   |sigma_T| <= min(mu p, tau_max).
    *
-   * mu is the static coefficient at a contact that sticks or just closed, the
-   * kinetic one, which may depend on the slip rate, at one that slips.
+   * mu is the static coefficient mu_s at a contact that sticks or just closed,
+   * and at one that slips the kinetic one mu_k, which may depend on the slip
+   * rate. With a slip weakening length d it goes over from the one to the other
+   * with the way s of the slip, mu_k + (mu_s - mu_k) max(0, 1 - s/d).
    */
   class FrictionLaw
   {
@@ -55,9 +57,12 @@ namespace Signorini
              !coefficient_of_rate_;
     }
 
-    /** mu of a contact that slips at a rate (m/s), or of one that sticks. */
+    /** mu of a contact that sticks, or of one that slips at a rate (m/s) and
+     * has done so over a way (m). */
     double
-    coefficient(const bool sticks, const double slip_rate) const;
+    coefficient(const bool   sticks,
+                const double slip_rate,
+                const double slip_way) const;
 
     /** True if mu is the same in every state. */
     bool
@@ -78,6 +83,8 @@ namespace Signorini
     std::optional<double> kinetic_coefficient_;
 
     std::shared_ptr<const Formula> coefficient_of_rate_; // mu(v)
+
+    double weakening_length_ = 0.; // m
 
     double largest_shear_stress_ = std::numeric_limits<double>::infinity();
   };

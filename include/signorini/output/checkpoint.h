@@ -51,7 +51,7 @@ namespace Signorini
    * To be raised whenever the content of a checkpoint changes, in this file or
    * in what it holds: State, History, StepMemory and the like.
    */
-  constexpr unsigned int checkpoint_version = 4;
+  constexpr unsigned int checkpoint_version = 5;
 
   /** A checkpoint that was read, and what was wrong with newer ones. */
   struct FoundCheckpoint

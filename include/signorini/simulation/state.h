@@ -99,9 +99,11 @@ namespace Signorini
     std::vector<BodyMotion> motions;
 
     // Slip of each candidate since it closed (m), its rate over the last step
-    // (m/s), and whether it slipped in that step.
+    // (m/s), whether it slipped in that step, and the way that it went since it
+    // stuck (m).
     std::vector<std::array<double, 2>> slips;
     std::vector<double>                slip_rates;
+    std::vector<double>                slip_ways;
     std::vector<char>                  is_slipping;
 
     // How the step that led here was solved.
@@ -119,7 +121,7 @@ namespace Signorini
       archive &contact_forces.normal  &contact_forces.tangential;
       archive &gaps &contact_debt     &energy;
       archive &massless_nodes         &motions;
-      archive &slips &slip_rates      &is_slipping;
+      archive &slips &slip_rates &slip_ways &is_slipping;
       archive &n_iterations &residual &kkt_residual;
     }
   };
