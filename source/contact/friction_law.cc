@@ -58,7 +58,9 @@ namespace Signorini
             "",
             "mu of a contact that slipped in the step before. A function of v, "
             "the slip rate in m/s, or a number. Empty: the same as Friction "
-            "coefficient. Unit: 1.");
+            "coefficient. Where it drops at once, the nodes of a contact break "
+            "loose one after another, sooner than the mean of their forces "
+            "says; with a Slip weakening length they go together. Unit: 1.");
     declare("Slip weakening length",
             "0",
             "Way of slip over which the coefficient falls from the static to "
@@ -88,7 +90,7 @@ namespace Signorini
     const std::string kinetic = get("Kinetic friction coefficient");
     if (kinetic.empty())
       return law;
-    law.weakening_length_ = parse_entry("Slip weakening length");
+    law.weakening_length_   = parse_entry("Slip weakening length");
     const std::string entry = path("Kinetic friction coefficient");
     if (law.static_coefficient_ == 0.)
       throw InputError(entry + ": found " + kinetic +
@@ -115,10 +117,9 @@ namespace Signorini
       kinetic_coefficient_ ?
         *kinetic_coefficient_ :
         std::max(0., coefficient_of_rate_->value({slip_rate}));
-    const double left =
-      weakening_length_ > 0. ?
-        std::max(0., 1. - slip_way / weakening_length_) :
-        0.;
+    const double left = weakening_length_ > 0. ?
+                          std::max(0., 1. - slip_way / weakening_length_) :
+                          0.;
     return kinetic + left * (static_coefficient_ - kinetic);
   }
 } // namespace Signorini

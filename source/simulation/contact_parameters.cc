@@ -8,7 +8,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 
 namespace Signorini
@@ -79,19 +81,34 @@ namespace Signorini
 
     template <int dim>
     std::unique_ptr<const ContactTarget<dim>>
-    deforming_target(const Side<dim>       &side,
-                     const SolidModel<dim> &solid,
-                     const PairParameters  &parameters)
+    deforming_target(const Side<dim>        &side,
+                     const SolidModel<dim>  &solid,
+                     const ContactConstraint constraint,
+                     SurfaceInterpolation    surface)
     {
+      if (constraint == ContactConstraint::mortar)
+        surface.kind = SurfaceInterpolation::Kind::trace;
       if constexpr (dim == 2)
         return std::make_unique<DeformingCurve>(*side.body,
                                                 side.boundary,
                                                 solid.is_fixed(),
-                                                parameters.surface);
+                                                surface);
       else
         return std::make_unique<FacetTarget>(*side.body,
                                              side.boundary,
-                                             parameters.surface);
+                                             surface);
+    }
+
+    // Of the share of a surface that belongs to a node, m^2.
+    template <int dim>
+    double
+    mean_area(const Side<dim> &side)
+    {
+      const auto surface = contactor_surface(*side.body, side.boundary);
+      double     sum     = 0.;
+      for (const double area : surface.areas)
+        sum += area;
+      return sum / surface.areas.size();
     }
 
     // Automatic choice: the finer side carries the constraints; of two as
@@ -100,14 +117,45 @@ namespace Signorini
     bool
     is_finer(const Side<dim> &a, const Side<dim> &b)
     {
-      const auto mean_area = [](const Side<dim> &side) {
-        const auto surface = contactor_surface(*side.body, side.boundary);
-        double     sum     = 0.;
-        for (const double area : surface.areas)
-          sum += area;
-        return sum / surface.areas.size();
-      };
       return mean_area(a) < mean_area(b) * (1. - 1e-6);
+    }
+
+    // Mortar takes the surface as the elements have it, and a spline makes a
+    // curved one smooth.
+    template <int dim>
+    bool
+    is_flat(const Side<dim> &side)
+    {
+      constexpr double one_degree = 0.01745;
+      const auto       surface = contactor_surface(*side.body, side.boundary);
+      std::vector<Point<dim>> positions;
+      for (const auto &node : surface.nodes)
+        positions.push_back(node.point);
+      const auto normals = node_normals(surface, positions);
+      return std::all_of(normals.begin(),
+                         normals.end(),
+                         [&](const Tensor<1, dim> &normal) {
+                           return normal * normals[0] > std::cos(one_degree);
+                         });
+    }
+
+    // A target that is so much finer has nodes that no node of the contactor
+    // holds back.
+    template <int dim>
+    ContactConstraint
+    constraint_for(const Side<dim>      &contactor,
+                   const Side<dim>      &target,
+                   const PairParameters &parameters)
+    {
+      constexpr double coarse = 1.2;
+      if (parameters.constraint)
+        return *parameters.constraint;
+      const bool is_possible =
+        dim == 2 && contactor.body->scalar_fe().degree <= 2 &&
+        target.body->scalar_fe().degree <= 2 && is_flat(target);
+      return is_possible && mean_area(contactor) > coarse * mean_area(target) ?
+               ContactConstraint::mortar :
+               ContactConstraint::node_to_surface;
     }
 
     template <int dim>
@@ -188,12 +236,16 @@ namespace Signorini
       Side<dim> contactor = parse_side(pair.contactor, solid);
       std::unique_ptr<const ContactTarget<dim>> target;
       const Body<dim>                          *target_body = nullptr;
+      ContactConstraint                         constraint =
+        parameters.constraint.value_or(ContactConstraint::node_to_surface);
       if (pair.target.find('.') != std::string::npos)
         {
           Side<dim> other = parse_side(pair.target, solid);
           if (pair.word == "with" && is_finer(other, contactor))
             std::swap(contactor, other);
-          target      = deforming_target(other, solid, parameters);
+          constraint = constraint_for(contactor, other, parameters);
+          target =
+            deforming_target(other, solid, constraint, parameters.surface);
           target_body = other.body;
         }
       else
@@ -203,12 +255,12 @@ namespace Signorini
             throw_unknown_target(pair.target, rigid_bodies);
           target = std::make_unique<RigidTarget<dim>>(*rigid_body);
         }
-      if (dim == 3 && parameters.constraint == ContactConstraint::mortar)
+      if (dim == 3 && constraint == ContactConstraint::mortar)
         throw InputError("Contact / Constraint: mortar is for 2-D; in 3-D use "
                          "node to surface.");
       for (const Body<dim> *const body : {contactor.body, target_body})
         if (body && body->scalar_fe().degree > 2 &&
-            parameters.constraint == ContactConstraint::mortar)
+            constraint == ContactConstraint::mortar)
           throw InputError(
             "Contact / Constraint: mortar is for elements of degree 1 and 2, but body " +
             body->name() + " has degree " +
@@ -217,7 +269,7 @@ namespace Signorini
               contactor.boundary,
               std::move(target),
               parameters.friction,
-              parameters.constraint};
+              constraint};
     }
   } // namespace
 

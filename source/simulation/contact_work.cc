@@ -112,11 +112,10 @@ namespace Signorini
     state.contact_debt = debt - returned;
 
     const double gain = returned - lost;
-    const double all  = std::max(energy,
-                                state.energy.kinetic + state.energy.stored) +
-                       old_state.energy.plastic +
-                       old_state.energy.damping + old_state.energy.friction +
-                       std::abs(old_state.energy.scheme_loss());
+    const double all =
+      std::max(energy, state.energy.kinetic + state.energy.stored) +
+      old_state.energy.plastic + old_state.energy.damping +
+      old_state.energy.friction + std::abs(old_state.energy.scheme_loss());
     if (gain > largest_gain * all)
       throw_gain(gain, all);
   }

@@ -122,6 +122,8 @@ namespace Signorini
                << (cosine < -0.5 ? "face each other" :
                    cosine < 0.   ? "are askew" :
                                    "point the same way: is a side turned round?");
+        if (pair.constraint == ContactConstraint::mortar)
+          text << "; mortar";
         text << '\n';
       }
     return text.str();

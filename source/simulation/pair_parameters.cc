@@ -25,9 +25,11 @@ namespace Signorini
     {
       static const std::vector<Entry> list = {
         {"Constraint",
-         "node to surface",
-         "node to surface|mortar",
-         "node to surface: the gap of each contactor node is constrained. "
+         "automatic",
+         "automatic|node to surface|mortar",
+         "automatic: node to surface; but mortar in 2-D where the contactor is "
+         "coarser than a flat deforming target, whose nodes would go through "
+         "between those of the contactor. node to surface: the gap of each contactor node is constrained. "
          "mortar (2-D): the mean gap over the share of the surface that "
          "belongs to each node, so that a uniform pressure passes through "
          "meshes that do not match."},
@@ -143,7 +145,7 @@ namespace Signorini
       read_if_set({"Slip weakening length"}, "Kinetic friction coefficient"),
       read_with({"Surface", "Knots", "Feature angle"},
                 "Constraint",
-                {"node to surface"}),
+                {"automatic", "node to surface"}),
       read_with({"Knots", "Feature angle"}, "Surface", {"spline"}),
       {{"Surface", "Knots", "Feature angle", "Search distance", "Search depth"},
        "Pairs",
@@ -175,13 +177,13 @@ namespace Signorini
              name;
     };
     PairParameters parameters;
-    parameters.friction   = FrictionLaw::parse(constants, get, path);
-    parameters.constraint = get("Constraint") == "mortar" ?
-                              ContactConstraint::mortar :
-                              ContactConstraint::node_to_surface;
-    if (parameters.constraint == ContactConstraint::mortar)
-      parameters.surface.kind = SurfaceInterpolation::Kind::trace;
-    else if (get("Surface") == "facets")
+    parameters.friction = FrictionLaw::parse(constants, get, path);
+    if (get("Constraint") == "mortar")
+      parameters.constraint = ContactConstraint::mortar;
+    else if (get("Constraint") == "node to surface" ||
+             get("Surface") == "facets")
+      parameters.constraint = ContactConstraint::node_to_surface;
+    if (get("Surface") == "facets")
       parameters.surface.kind = SurfaceInterpolation::Kind::facets;
     parameters.surface.knots         = get("Knots") == "uniform" ?
                                          CurveWeights::Knots::uniform :

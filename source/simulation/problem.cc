@@ -280,11 +280,11 @@ namespace Signorini
     Problem         problem;
     const Constants constants =
       parse_constants(prm.get("Constants"), "Constants");
-    problem.title = prm.get("Title");
+    problem.title               = prm.get("Title");
     const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
                                     Kinematics::finite_strain :
                                     Kinematics::small_strain;
-    problem.time = TimeParameters::parse(prm);
+    problem.time                = TimeParameters::parse(prm);
     problem.adaptivity =
       AdaptivityParameters::parse(problem.time.end_time, prm);
 

@@ -2,6 +2,7 @@
 #include <signorini/named_errors.h>
 #include <signorini/output/progress.h>
 #include <signorini/output/run_folder.h>
+#include <signorini/simulation/energy_verdict.h>
 #include <signorini/simulation/finite_state.h>
 #include <signorini/simulation/history_columns.h>
 #include <signorini/simulation/interruption.h>
@@ -381,7 +382,25 @@ namespace Signorini
         log.line(line.str());
       }
     watch_.summarise(state, log);
+    const std::string open =
+      open_ledger_in_words(record_, problem_.time.dynamic, energy_rounding());
+    if (!open.empty())
+      log.line(open);
     log.line(timings_.table());
+  }
+
+
+
+  template <int dim>
+  double
+  Simulation<dim>::energy_rounding() const
+  {
+    const Vector<double> &displacement = record_.state.displacement;
+    const Vector<double>  force = problem_.solid->force_rounding(displacement);
+    double                rounding = 0.;
+    for (unsigned int i = 0; i < force.size(); ++i)
+      rounding += std::abs(force[i] * displacement[i]);
+    return rounding;
   }
 
 
@@ -390,6 +409,7 @@ namespace Signorini
   void
   Simulation<dim>::check(Log &log) const
   {
+    refuse_made_energy(record_, energy_rounding());
     if (expected_.n_checks() == 0)
       return;
     const auto results = expected_.evaluate(record_.history, fields_);

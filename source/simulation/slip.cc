@@ -59,8 +59,8 @@ namespace Signorini
           state.slips[k][j] += slip[j];
         const double way    = std::hypot(slip[0], slip[1]);
         state.slip_rates[k] = way / step_size;
-        state.slip_ways[k]  = state.is_slipping[k] ? state.slip_ways[k] + way :
-                                                     0.;
+        state.slip_ways[k] =
+          state.is_slipping[k] ? state.slip_ways[k] + way : 0.;
       }
   }
 

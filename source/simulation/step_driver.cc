@@ -2,6 +2,7 @@
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/simulation/energy_balance.h>
+#include <signorini/simulation/energy_verdict.h>
 #include <signorini/simulation/step_driver.h>
 #include <signorini/time/step_error.h>
 #include <signorini/time/step_plan.h>
@@ -25,34 +26,6 @@ namespace Signorini
       return {problem.time,
               problem.contact_parameters.algorithm,
               problem.contact_parameters.force_tolerance};
-    }
-
-    // Of the energy that went in: more must the time integration not make.
-    constexpr double largest_gain = 0.05;
-
-    // What is wrong in words if a step makes energy and too much is made since
-    // t = 0. Of the first steps from rest neither work nor energy means much.
-    std::string
-    gain_in_words(const State &old_state,
-                  const State &state,
-                  const double largest_kinetic)
-    {
-      constexpr unsigned int n_first_steps = 20;
-      const EnergyLedger    &energy        = state.energy;
-      const double           made          = -energy.scheme_loss();
-      const double           before        = -old_state.energy.scheme_loss();
-      const double went_in = energy.initial + energy.loads + energy.supports +
-                             energy.contact + energy.returned;
-      const double all = std::max({energy.initial, went_in, largest_kinetic});
-      if (state.step <= n_first_steps || made <= before ||
-          made <= largest_gain * all)
-        return "";
-      std::ostringstream text;
-      text << "the time integration made " << made << " J since t = 0 of "
-           << all << " J that went in, " << made - before
-           << " J of it in this step: it is too long for what moves. Smaller "
-           << "steps help, or a smaller Spectral radius";
-      return text.str();
     }
 
     std::string
@@ -145,8 +118,9 @@ namespace Signorini
           {
             state = time_step_.advance(record.state, step);
             if (problem_.time.dynamic)
-              failure =
-                gain_in_words(record.state, state, record.largest_kinetic);
+              failure = gain_of_step_in_words(record.state,
+                                              state,
+                                              record.largest_kinetic);
           }
         catch (const StepFailed &reason)
           {
@@ -385,6 +359,9 @@ namespace Signorini
       }
     record.largest_kinetic =
       std::max(record.largest_kinetic, state.energy.kinetic);
+    record.largest_energy =
+      std::max(record.largest_energy,
+               energy_turnover(state.energy, record.largest_kinetic));
     record.step_memory = verdict.memory;
     record.state       = std::move(state);
   }

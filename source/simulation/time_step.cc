@@ -377,7 +377,7 @@ namespace Signorini
                            points,
                            state);
     measure_motion(state);
-    const auto old_points = evaluate_contact(old_state, old_state);
+    const auto             old_points = evaluate_contact(old_state, old_state);
     const StepContact<dim> contact(contact_,
                                    old_state,
                                    old_points,
@@ -394,14 +394,13 @@ namespace Signorini
     if (settings_.time.dynamic && settings_.time.return_contact_work &&
         system_.algorithm().enforces_exactly())
       {
-        return_contact_work(
-          contact_,
-          inertia_.mass(state),
-          old_state,
-          points,
-          contact,
-          system_,
-          state);
+        return_contact_work(contact_,
+                            inertia_.mass(state),
+                            old_state,
+                            points,
+                            contact,
+                            system_,
+                            state);
         measure_motion(state);
       }
     if (solid_.mass().empty())

@@ -84,11 +84,11 @@ namespace Signorini
       /** @param constant answer of a linear law, or null. */
       void
       evaluate(const typename DoFHandler<dim>::active_cell_iterator &visited,
-               const SolidStep      &step,
-               const PointResponse  *constant,
-               const double         *history_n,
-               double               *history,
-               const bool            with_stiffness)
+               const SolidStep                                      &step,
+               const PointResponse                                  *constant,
+               const double                                         *history_n,
+               double                                               *history,
+               const bool with_stiffness)
       {
         this->visit(visited);
         const typename CellResponse<dim, n_strains>::Point point = {
@@ -110,7 +110,8 @@ namespace Signorini
       }
 
       void
-      get_values(const Vector<double> &of_all, std::vector<double> &of_cell) const
+      get_values(const Vector<double> &of_all,
+                 std::vector<double>  &of_cell) const
       {
         for (unsigned int i = 0; i < of_cell.size(); ++i)
           of_cell[i] = of_all[this->dofs.all()[i]];

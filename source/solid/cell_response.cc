@@ -388,8 +388,8 @@ namespace Signorini
     for (unsigned int a = 0; a < strain_operators_.size(); ++a)
       {
         Operator &B = strain_operators_[a];
-        B           = strain_operator<dim, n_strains>(
-          kinematics.shape_gradients[a], kinematics.over_r[a]);
+        B = strain_operator<dim, n_strains>(kinematics.shape_gradients[a],
+                                            kinematics.over_r[a]);
         if (is_mean_)
           turn(kinematics, B);
         if (has_mean_dilatation_)
@@ -488,8 +488,8 @@ namespace Signorini
     const SpatialStress<dim, n_strains> stress(response.stress);
     const double p      = (trace(stress.between) + stress.across) / 3.;
     const auto  &g      = kinematics.shape_gradients;
-    const auto &over_r = kinematics.over_r;
-    const auto  alpha  = [&](const unsigned int a, const unsigned int c) {
+    const auto  &over_r = kinematics.over_r;
+    const auto   alpha  = [&](const unsigned int a, const unsigned int c) {
       return (kinematics.mean_divergence[a][c] - kinematics.divergence[a][c]) /
              3.;
     };

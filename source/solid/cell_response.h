@@ -37,7 +37,7 @@ namespace Signorini
    * Piola-Kirchhoff stress at both ends, E Green's strain, and lambda such that
    * sum_a f_a.(U_np - U_n)_a = W_np - W_n [Simo & Tarnow 1992; Gonzalez 2000].
    * Its derivative is not symmetric; the stiffness is twice the symmetric part
-   * of it, with F taken at three quarters of the way.
+   * of it but for lambda, with F taken at three quarters of the way.
    *
    * Unknowns are counted node by node. Used again from cell to cell.
    */
@@ -126,7 +126,7 @@ namespace Signorini
     {
       dealii::Tensor<2, dim> gradient;
       double                 hoop;
-      ReferenceTensor        stress;     // of the material
+      ReferenceTensor        stress;      // of the material
       ReferenceTensor        work_stress; // which does work on du/dX
     };
 

@@ -86,26 +86,25 @@ namespace Signorini
     constexpr unsigned int n_corrections = 3;
     const StartPoint      &start         = start_[q];
     DeformedPoint         &at            = points_[q];
-    const Tensor<2, dim>   F_n   = deformation_gradient(start.gradient);
-    const Tensor<2, dim>   F_np  = deformation_gradient(at.gradient);
-    Tensor<2, dim>         gradient = 0.5 * (start.gradient + at.gradient);
+    const Tensor<2, dim>   F_n           = deformation_gradient(start.gradient);
+    const Tensor<2, dim>   F_np          = deformation_gradient(at.gradient);
+    Tensor<2, dim>         gradient      = 0.5 * (start.gradient + at.gradient);
     if (is_finite_)
       for (unsigned int i = 0; i < n_corrections; ++i)
         {
-          const Tensor<2, dim> F    = deformation_gradient(gradient);
+          const Tensor<2, dim> F = deformation_gradient(gradient);
           const Tensor<2, dim> lack =
             0.5 * (transpose(F_n) * F_n + transpose(F_np) * F_np) -
             transpose(F) * F;
           gradient += 0.5 * transpose(invert(F)) * lack;
         }
-    const double hoop =
-      is_finite_ && is_axisymmetric_ ?
-        std::sqrt(0.5 * (std::pow(1. + start.hoop, 2) +
-                         std::pow(1. + at.hoop, 2))) -
-          1. :
-        0.5 * (start.hoop + at.hoop);
-    at.gradient = gradient;
-    at.hoop     = hoop;
+    const double hoop = is_finite_ && is_axisymmetric_ ?
+                          std::sqrt(0.5 * (std::pow(1. + start.hoop, 2) +
+                                           std::pow(1. + at.hoop, 2))) -
+                            1. :
+                          0.5 * (start.hoop + at.hoop);
+    at.gradient       = gradient;
+    at.hoop           = hoop;
     set_kinematics(values, q);
   }
 
@@ -117,7 +116,7 @@ namespace Signorini
     const double change_of_energy) const
   {
     constexpr double short_square = 1e-4; // of a change of strain
-    constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
+    constexpr double rounding     = 8. * std::numeric_limits<double>::epsilon();
     double           volume = 0., terms = 0.;
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
@@ -144,8 +143,8 @@ namespace Signorini
         const DeformedPoint &at = points_[q];
         start_[q].gradient      = at.gradient;
         start_[q].hoop          = at.hoop;
-        start_[q].stress        = pull_back(
-          SpatialStress<dim, n_strains>(responses_[q].stress), at);
+        start_[q].stress =
+          pull_back(SpatialStress<dim, n_strains>(responses_[q].stress), at);
         start_[q].work_stress = pull_back(work_stress(q), at);
       }
   }
@@ -192,8 +191,7 @@ namespace Signorini
         const ReferenceTensor end   = pull_back(work_stress(q), at);
         MeanPoint            &mean  = means_[q];
 
-        mean.F =
-          deformation_gradient(0.5 * (start.gradient + at.gradient));
+        mean.F = deformation_gradient(0.5 * (start.gradient + at.gradient));
         mean.hoop_ratio     = hoop_ratio(0.5 * (start.hoop + at.hoop));
         mean.stress.between = 0.5 * (start.work_stress.between + end.between);
         mean.stress.across  = 0.5 * (start.work_stress.across + end.across);
@@ -215,9 +213,9 @@ namespace Signorini
       {
         const ReferenceTensor &of     = means_[q].*tensor;
         const ReferenceTensor &change = means_[q].strain_change;
-        work += points_[q].volume *
-                (scalar_product(of.between, change.between) +
-                 of.across * change.across);
+        work +=
+          points_[q].volume * (scalar_product(of.between, change.between) +
+                               of.across * change.across);
       }
     return work;
   }
@@ -232,7 +230,7 @@ namespace Signorini
     // What is missing is along the change of strain.
     const double square = work_of(&MeanPoint::strain_change);
     const double lambda = square > 0. ? missing_work / square : 0.;
-    mean_force = 0.;
+    mean_force          = 0.;
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
         const MeanPoint     &mean = means_[q];
@@ -249,8 +247,7 @@ namespace Signorini
             for (unsigned int c = 0; c < dim; ++c)
               mean_force[a * dim + c] += share[c];
             if (is_axisymmetric_)
-              mean_force[a * dim] +=
-                across * values.shape_value(a, q) / radius;
+              mean_force[a * dim] += across * values.shape_value(a, q) / radius;
           }
       }
   }
@@ -266,20 +263,19 @@ namespace Signorini
         DeformedPoint        &at    = points_[q];
         const StartPoint     &start = start_[q];
         const Tensor<2, dim>  F     = deformation_gradient(at.gradient);
-        const ReferenceTensor end   = pull_back(
-          SpatialStress<dim, n_strains>(responses_[q].stress), at);
-        const Tensor<2, dim> mean =
-          0.5 * (start.stress.between + end.between);
-        const double across = 0.5 * (start.stress.across + end.across) *
+        const ReferenceTensor end =
+          pull_back(SpatialStress<dim, n_strains>(responses_[q].stress), at);
+        const Tensor<2, dim> mean = 0.5 * (start.stress.between + end.between);
+        const double         across = 0.5 * (start.stress.across + end.across) *
                               std::pow(hoop_ratio(at.hoop), 2);
         responses_[q].stress =
           SpatialStress<dim, n_strains>(F * mean * transpose(F), across)
             .reduced();
-        at.turn = deformation_gradient(0.25 * start.gradient +
-                                       0.75 * at.gradient) *
-                  invert(F);
-        at.hoop_turn = hoop_ratio(0.25 * start.hoop + 0.75 * at.hoop) /
-                       hoop_ratio(at.hoop);
+        at.turn =
+          deformation_gradient(0.25 * start.gradient + 0.75 * at.gradient) *
+          invert(F);
+        at.hoop_turn =
+          hoop_ratio(0.25 * start.hoop + 0.75 * at.hoop) / hoop_ratio(at.hoop);
       }
     if (has_mean_dilatation_)
       find_pressures();
@@ -287,12 +283,12 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim, n_strains)                                         \
-  template void CellResponse<dim, n_strains>::evaluate_step(                \
-    const FEValues<dim> &,                                                  \
-    const std::vector<double> &,                                            \
-    const std::vector<double> &,                                            \
-    const Point &,                                                          \
+#define INSTANTIATE(dim, n_strains)                          \
+  template void CellResponse<dim, n_strains>::evaluate_step( \
+    const FEValues<dim> &,                                   \
+    const std::vector<double> &,                             \
+    const std::vector<double> &,                             \
+    const Point &,                                           \
     const bool);
   INSTANTIATE(2, 3)
   INSTANTIATE(2, 4)

@@ -56,7 +56,7 @@ namespace Signorini
       return names;
     }
 
-    constexpr char   conserving[]        = "energy momentum";
+    constexpr char   conserving[]          = "energy momentum";
     constexpr double usual_spectral_radius = 0.98;
 
     // Large strains and rotations need a scheme that keeps energy by
@@ -114,9 +114,11 @@ namespace Signorini
         Patterns::Selection(scheme_names()),
         "Time integration. automatic: energy momentum for elastic bodies with "
         "finite strain unless a Spectral radius is given, and Chung-Hulbert "
-        "for others. energy momentum keeps energy, "
-        "momentum and angular momentum in steps of any size, whatever the "
-        "strains and rotations; plastic flow it takes as it comes. Chung-Hulbert reads `Spectral radius', HHT "
+        "for others. energy momentum keeps energy, momentum and angular "
+        "momentum of elastic bodies in steps of any size, whatever their "
+        "strains and rotations; contact forces ring with it, and where cells "
+        "flow it is of second order only. Chung-Hulbert reads `Spectral "
+        "radius', HHT "
         "`alpha_H', Newmark `beta' and `gamma', generalized alpha all four "
         "numbers; trapezoidal and Meguid-Czekanski (the set of their section "
         "6.4) read none.");
@@ -183,15 +185,16 @@ namespace Signorini
                       "Size of a time step (static: load step). Unit: s.");
     StepControl::declare_parameters(prm);
     declare_scheme(prm);
-    prm.declare_entry("Contact mass",
-                      "automatic",
-                      Patterns::Selection("automatic|consistent|redistributed"),
-                      "automatic: consistent with the scheme energy momentum, "
-                      "redistributed with others. redistributed: nodes lose their mass when they come "
-                      "into contact, and contact forces do not ring. It goes "
-                      "inwards; mass, centre of mass and moments of inertia of "
-                      "each body are kept, and so are its energy and momenta. "
-                      "consistent: every node keeps its mass.");
+    prm.declare_entry(
+      "Contact mass",
+      "automatic",
+      Patterns::Selection("automatic|consistent|redistributed"),
+      "automatic: consistent with the scheme energy momentum, "
+      "redistributed with others. redistributed: nodes lose their mass when they come "
+      "into contact, and contact forces do not ring. It goes "
+      "inwards; mass, centre of mass and moments of inertia of "
+      "each body are kept, and so are its energy and momenta. "
+      "consistent: every node keeps its mass.");
     prm.declare_entry("Contact work",
                       "returned",
                       Patterns::Selection("returned|lost"),
@@ -223,8 +226,7 @@ namespace Signorini
   TimeParameters::conditions()
   {
     EntryConditions list = {
-      contradiction(
-        read_with({"Spectral radius"},
+      contradiction(read_with({"Spectral radius"},
                               "Scheme",
                               {"Chung-Hulbert", "automatic"})),
       contradiction(read_with({"alpha_B"}, "Scheme", {"generalized alpha"})),

@@ -301,8 +301,9 @@ namespace
         Vector<double> u(solid.n_dofs());
         for (const auto &node : solid.parts()[0].body->nodes())
           u[node.dofs[1]] = -strain * node.point[1];
-        const double assembly =
-          least_seconds(3, [&] { solid.respond({u, 1.}, history, &tangent); });
+        const double assembly = least_seconds(3, [&] {
+          solid.respond({u, 1.}, history, &tangent);
+        });
         print(std::string("assembly, all points ") + name,
               1e3 * assembly,
               "ms");

@@ -7,6 +7,7 @@
 #include <signorini/entry_condition.h>
 #include <signorini/space_time_function.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,11 @@ namespace Signorini
    */
   struct PairParameters
   {
-    FrictionLaw          friction;
-    ContactConstraint    constraint = ContactConstraint::node_to_surface;
+    FrictionLaw friction;
+
+    // None: what the meshes ask for, see constraint_for().
+    std::optional<ContactConstraint> constraint;
+
     SurfaceInterpolation surface;
     Overclosure          overclosure   = Overclosure::refuse;
     double               press_fit_end = 1.; // s

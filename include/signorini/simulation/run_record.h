@@ -40,6 +40,7 @@ namespace Signorini
     StepMemory   step_memory;
     StepCounts   counts;
     double       largest_kinetic = 0.; // energy, J
+    double       largest_energy  = 0.; // turnover at any time, J
     unsigned int n_regular       = 0;  // regular steps that are complete
     double       regular_time    = 0.; // s, at the end of the last of them
     unsigned int step_of_fields  = 0;  // of the last ones written
@@ -48,8 +49,9 @@ namespace Signorini
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &state &history &step_memory              &counts;
-      archive &largest_kinetic &n_regular &regular_time &step_of_fields;
+      archive &state &history &step_memory &counts;
+      archive &largest_kinetic             &largest_energy;
+      archive &n_regular &regular_time     &step_of_fields;
     }
   };
 } // namespace Signorini

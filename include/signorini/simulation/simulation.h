@@ -104,6 +104,11 @@ namespace Signorini
     void
     summarise(Log &log) const;
 
+    // What energies are known to, J.
+    double
+    energy_rounding() const;
+
+    // Expected results, and the energy ledger.
     void
     check(Log &log) const;
 

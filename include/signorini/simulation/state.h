@@ -118,11 +118,11 @@ namespace Signorini
       archive &time &step &displacement &velocity &acceleration;
       archive &internal_force &external_force     &support_force;
       archive                                     &history;
-      archive &contact_forces.normal  &contact_forces.tangential;
-      archive &gaps &contact_debt     &energy;
-      archive &massless_nodes         &motions;
+      archive &contact_forces.normal        &contact_forces.tangential;
+      archive &gaps &contact_debt           &energy;
+      archive &massless_nodes               &motions;
       archive &slips &slip_rates &slip_ways &is_slipping;
-      archive &n_iterations &residual &kkt_residual;
+      archive &n_iterations &residual       &kkt_residual;
     }
   };
 } // namespace Signorini

@@ -311,7 +311,7 @@ namespace Signorini
     // Of the last iterate of a solid that is not linear.
     dealii::SparseMatrix<double> tangent_;
     dealii::Vector<double>       tangent_displacement_; // where it is
-    dealii::Vector<double>       mean_internal_force_; // if energy is kept, N
+    dealii::Vector<double>       mean_internal_force_;  // if energy is kept, N
     unsigned int                 section_residual_;
     unsigned int                 section_assembly_;
     unsigned int                 section_contact_;

@@ -25,8 +25,8 @@ namespace Signorini
   /** A step of the bodies to a displacement. */
   struct SolidStep
   {
-    const dealii::Vector<double> &displacement;             // of all unknowns, m
-    double                        size           = 0.;      // s
+    const dealii::Vector<double> &displacement;        // of all unknowns, m
+    double                        size           = 0.; // s
     const dealii::Vector<double> *displacement_n = nullptr; // at its start, m
   };
 
@@ -44,10 +44,9 @@ namespace Signorini
    * @param constraints  hanging nodes, in the counting of all unknowns; their
    *                     rows and columns are condensed
    * @param step         its size is for laws that depend on the rate. With a
-   *                     start the mean force over it is added, too, that does as
-   *                     much work as the energy of the body takes up; the
-   *                     tangent is then twice the derivative of that (see
-   *                     CellResponse)
+   *                     start the mean force over it is added, too, that does
+   * as much work as the energy of the body takes up; the tangent is then twice
+   * the derivative of that (see CellResponse)
    * @param history_n    of the points of this body
    * @param history      gets those of the end of the step
    * @throws MaterialFailure with the cell where a law has no answer.

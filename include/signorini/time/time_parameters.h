@@ -40,7 +40,7 @@ namespace Signorini
     StepControl      step_control;
     GeneralizedAlpha scheme;
     bool             conserves_energy; // internal forces are those of the step
-    std::string      contact_mass; // consistent | redistributed
+    std::string      contact_mass;     // consistent | redistributed
     bool             return_contact_work;
     bool             lump_mass;
     unsigned int     maximal_iterations;
