@@ -3,6 +3,7 @@
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/simulation/effective_system.h>
 #include <signorini/variational_inequality/kkt_residual.h>
+#include <signorini/variational_inequality/solution_refinement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,9 +273,8 @@ namespace Signorini
 
       // The conditions of optimality are not those that a penalty obeys, or a
       // friction that creeps.
-      correction.kkt_residual = algorithm_->obeys_the_law() ?
-                                  kkt_residual(problem_, solution).norm() :
-                                  0.;
+      correction.kkt_residual =
+        algorithm_->obeys_the_law() ? residual_of_refined(solution) : 0.;
     }
     const auto timing = timings_.measure(section_substitution_);
     correction.motion.reinit(residual.size());
@@ -284,6 +284,30 @@ namespace Signorini
     correction.is_slipping       = std::move(solution.is_slipping);
     correction.fallback_contacts = std::move(solution.fallback_contacts);
     return correction;
+  }
+
+
+
+  template <int dim>
+  double
+  EffectiveSystem<dim>::residual_of_refined(InterfaceSolution &solution) const
+  {
+    // More digits than this no tolerance asks for.
+    constexpr double   enough     = 1e-10;
+    constexpr unsigned most_steps = 3;
+    double             residual   = kkt_residual(problem_, solution).norm();
+    for (unsigned int step = 0; step < most_steps && residual > enough; ++step)
+      {
+        InterfaceSolution refined = solution;
+        if (!refine(problem_, refined))
+          break;
+        const double next = kkt_residual(problem_, refined).norm();
+        if (!(next < residual))
+          break;
+        residual = next;
+        solution = std::move(refined);
+      }
+    return residual;
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Signorini
 {
@@ -11,7 +12,7 @@ namespace Signorini
   StepContact<dim>::StepContact(
     const ContactModel<dim>              &contact,
     const State                          &old_state,
-    const std::vector<ContactPoint<dim>> &old_points,
+    std::vector<ContactPoint<dim>>        old_points,
     const State                          &state,
     const std::vector<ContactPoint<dim>> &points,
     const bool                            acts_at_both_ends)
@@ -19,7 +20,7 @@ namespace Signorini
     , share_(1. - old_share_)
     , contact_(contact)
     , old_state_(old_state)
-    , old_points_(old_points)
+    , old_points_(std::move(old_points))
     , state_(state)
     , points_(points)
     , motion_(state.displacement)

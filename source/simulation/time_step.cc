@@ -377,15 +377,21 @@ namespace Signorini
                            points,
                            state);
     measure_motion(state);
-    const auto             old_points = evaluate_contact(old_state, old_state);
+    const bool acts_at_both_ends =
+      !settings_.time.dynamic || settings_.time.contact_mass != "consistent";
+    const auto &old_forces = old_state.contact_forces.normal;
+    const bool  has_old_forces =
+      std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
+        return force != 0.;
+      });
     const StepContact<dim> contact(contact_,
                                    old_state,
-                                   old_points,
+                                   acts_at_both_ends && has_old_forces ?
+                                     evaluate_contact(old_state, old_state) :
+                                     points,
                                    state,
                                    points,
-                                   !settings_.time.dynamic ||
-                                     settings_.time.contact_mass !=
-                                       "consistent");
+                                   acts_at_both_ends);
     measure_work(solid_,
                  contact,
                  mean_support_force(old_state, residual, points, state),

@@ -61,11 +61,12 @@ namespace Signorini
       return extent_;
     }
 
-    /** To what gaps are known, as differences of coordinates, m. */
+    /** To what gaps are known, m: over a curved target they are sums of about
+     * ten products of coordinates, each rounded. */
     double
     rounding() const
     {
-      return 1e-15 * extent_;
+      return 4e-15 * extent_;
     }
 
     /** True if all targets are flat: then rows never change. */

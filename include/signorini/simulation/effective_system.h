@@ -141,6 +141,11 @@ namespace Signorini
     }
 
   private:
+    // The KKT residual of a solution of the interface problem, which is refined
+    // where rounding has left one.
+    double
+    residual_of_refined(InterfaceSolution &solution) const;
+
     using Spring = FreeModes::Spring;
 
     void

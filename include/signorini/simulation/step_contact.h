@@ -21,12 +21,13 @@ namespace Signorini
   class StepContact
   {
   public:
-    /** Everything must outlive the object.
-     * @param old_points where the contacts were at the start
+    /** All but the old points must outlive the object.
+     * @param old_points where the contacts were at the start; read where forces
+     *                   acted then
      * @param acts_at_both_ends or as at its end throughout */
     StepContact(const ContactModel<dim>              &contact,
                 const State                          &old_state,
-                const std::vector<ContactPoint<dim>> &old_points,
+                std::vector<ContactPoint<dim>>        old_points,
                 const State                          &state,
                 const std::vector<ContactPoint<dim>> &points,
                 const bool                            acts_at_both_ends);
@@ -62,7 +63,7 @@ namespace Signorini
 
     const ContactModel<dim>              &contact_;
     const State                          &old_state_;
-    const std::vector<ContactPoint<dim>> &old_points_;
+    const std::vector<ContactPoint<dim>>  old_points_;
     const State                          &state_;
     const std::vector<ContactPoint<dim>> &points_;
     dealii::Vector<double>                motion_; // m
