@@ -9,13 +9,12 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  StepContact<dim>::StepContact(
-    const ContactModel<dim>              &contact,
-    const State                          &old_state,
-    std::vector<ContactPoint<dim>>        old_points,
-    const State                          &state,
-    const std::vector<ContactPoint<dim>> &points,
-    const bool                            acts_at_both_ends)
+  StepContact<dim>::StepContact(const ContactModel<dim>       &contact,
+                                const State                   &old_state,
+                                std::vector<ContactPoint<dim>> old_points,
+                                const State                   &state,
+                                const std::vector<ContactPoint<dim>> &points,
+                                const bool acts_at_both_ends)
     : old_share_(acts_at_both_ends ? 0.5 : 0.)
     , share_(1. - old_share_)
     , contact_(contact)
@@ -100,12 +99,29 @@ namespace Signorini
               work += (old_force + force) * change;
               continue;
             }
-          if (old_force != 0.)
-            work += old_force * old_points_[k].gap_gradient.dot(motion_);
-          if (force != 0.)
-            work += force * points_[k].gap_gradient.dot(motion_);
+          work += pair_work(old_share_, old_state_, old_points_, k) +
+                  pair_work(share_, state_, points_, k);
         }
     return work;
+  }
+
+
+
+  template <int dim>
+  double
+  StepContact<dim>::pair_work(const double                          share,
+                              const State                          &state,
+                              const std::vector<ContactPoint<dim>> &points,
+                              const unsigned int                    k) const
+  {
+    double work = 0.;
+    if (share == 0. || state.contact_forces.normal[k] == 0.)
+      return work;
+    work = state.contact_forces.normal[k] * points[k].gap_gradient.dot(motion_);
+    for (unsigned int j = 0; j < dim - 1; ++j)
+      work += state.contact_forces.tangential[k][j] *
+              (points_[k].slip[j] - points[k].slip_gradients[j].dot(motion_));
+    return share * work;
   }
 
 

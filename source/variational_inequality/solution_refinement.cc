@@ -40,9 +40,7 @@ namespace Signorini
           if (contact.has_friction() && !slips(contact, solution.forces, k))
             for (unsigned int j = 0; j < contact.tangents.size(); ++j)
               rows.push_back(
-                {k,
-                 int(j),
-                 -problem.slip_after(k, j, solution.displacement)});
+                {k, int(j), -problem.slip_after(k, j, solution.displacement)});
         }
       return rows;
     }

@@ -14,7 +14,8 @@ BOOST_AUTO_TEST_SUITE(solution_refinement)
 namespace
 {
   // Two unknowns, the motion across a floor and along it: S = diag(k, k), the
-  // floor right below, pressed with 10 N and pulled along with a force. mu = 0.5.
+  // floor right below, pressed with 10 N and pulled along with a force. mu =
+  // 0.5.
   InterfaceProblem
   pressed_block(const double k, const double pull)
   {
@@ -40,8 +41,8 @@ namespace
   {
     InterfaceSolution result;
     result.displacement.reinit(2);
-    result.displacement[1] = along;
-    result.forces          = InterfaceForces(1);
+    result.displacement[1]         = along;
+    result.forces                  = InterfaceForces(1);
     result.forces.normal[0]        = normal;
     result.forces.tangential[0][0] = tangential;
     return result;

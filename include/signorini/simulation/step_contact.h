@@ -45,10 +45,10 @@ namespace Signorini
     friction() const;
 
     /**
-     * The work along the normals that is none in the continuous problem: of
-     * forces between bodies all of it, since they are pairs; of a target with a
-     * given motion lambda (g_np - g_n), what is not done by that motion. Zero
-     * but where a contact opens or closes. J.
+     * The work that is none in the continuous problem: of forces between bodies
+     * all but friction, since they are pairs; of a target with a given motion
+     * lambda (g_np - g_n), what is not done by that motion. Zero but where a
+     * contact opens or closes, and what directions change by in the step. J.
      */
     double
     undue_work() const;
@@ -58,6 +58,13 @@ namespace Signorini
     normal_forces() const;
 
   private:
+    // Work of the forces of a contact at one end, but for friction.
+    double
+    pair_work(const double                          share,
+              const State                          &state,
+              const std::vector<ContactPoint<dim>> &points,
+              const unsigned int                    k) const;
+
     // Share of a force of the start and of the end in the step.
     double old_share_, share_;
 
