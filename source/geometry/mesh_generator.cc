@@ -140,9 +140,22 @@ namespace Signorini
     const auto cutout     = MeshCutout<dim>::parse(prm);
     const auto refinement = MeshRefinement<dim>::parse(prm);
 
-    Mesh<dim> mesh = generator->create();
-    cutout.apply(mesh);
-    refinement.apply(mesh);
+    Mesh<dim> mesh;
+    try
+      {
+        mesh = generator->create();
+        cutout.apply(mesh);
+        refinement.apply(mesh);
+      }
+    catch (const ExceptionBase &)
+      {
+        // Of the library: cells without a size, or without digits left for it.
+        throw InputError("Mesh: no " + name +
+                         " can be made of these measures. They are too large, "
+                         "too small, or too different from each other: a body "
+                         "that is far away from the origin beside its size has "
+                         "no digits left for its cells.");
+      }
     if (formulation == "axisymmetric")
       check_axisymmetric(mesh);
     return mesh;

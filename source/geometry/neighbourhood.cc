@@ -1,10 +1,12 @@
 #include <signorini/geometry/neighbourhood.h>
+#include <signorini/named_list.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -49,9 +51,12 @@ namespace Signorini
   double
   number_or_nan(const std::string &text)
   {
-    return Patterns::Double().match(text) ?
-             Utilities::string_to_double(text) :
-             std::numeric_limits<double>::quiet_NaN();
+    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+    if (!Patterns::Double().match(text))
+      return no_number;
+    // What vanishes beside all measures is none either.
+    const double value = std::strtod(text.c_str(), nullptr);
+    return is_sane(value) ? value : no_number;
   }
 
   template struct Neighbourhood<2>;
