@@ -88,12 +88,21 @@ namespace Signorini
   bool
   TimeStep<dim>::predict(const State &old_state, const Step &step, State &state)
   {
-    // What failed from here once begins where the bodies are. In dynamics
-    // inertia does not let them leave their way.
-    if (settings_.time.dynamic || failed_step_ == step.number ||
-        old_state.velocity.all_zero())
+    // What failed from here once begins where the bodies are.
+    if (failed_step_ == step.number || old_state.velocity.all_zero())
+      return false;
+    // In dynamics inertia does not let them leave their way. Only what turns
+    // freely is better off where it will be: the next iterations are not exact.
+    const auto &forces   = old_state.contact_forces.normal;
+    const bool  is_apart = std::all_of(forces.begin(),
+                                      forces.end(),
+                                      [](const double f) { return f == 0.; });
+    if (settings_.time.dynamic && !(conserves_energy_ && is_apart))
       return false;
     state.displacement.add(step.size, old_state.velocity);
+    if (settings_.time.dynamic)
+      state.displacement.add(0.5 * step.size * step.size,
+                             old_state.acceleration);
     try
       {
         respond(old_state, step.size, state);
