@@ -14,8 +14,8 @@ namespace Signorini
                                 std::vector<ContactPoint<dim>> old_points,
                                 const State                   &state,
                                 const std::vector<ContactPoint<dim>> &points,
-                                const bool acts_at_both_ends)
-    : old_share_(acts_at_both_ends ? 0.5 : 0.)
+                                const double                          old_share)
+    : old_share_(old_share)
     , share_(1. - old_share_)
     , contact_(contact)
     , old_state_(old_state)

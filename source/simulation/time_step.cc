@@ -48,6 +48,17 @@ namespace Signorini
                                                  1. / multiplier_factor(time);
     }
 
+    // Share of the old contact forces in the work of a step.
+    double
+    old_contact_share(const TimeParameters &time)
+    {
+      if (!time.dynamic || time.contact_mass != "consistent")
+        return 0.5;
+      const GeneralizedAlpha &scheme = time.scheme;
+      return std::clamp(
+        (1. - scheme.gamma - scheme.alpha_B) / (1. - scheme.alpha_B), 0., 0.5);
+    }
+
     // Relative to the bodies: surfaces that are as near at the start have no
     // mass from the beginning, those that come near later lose it then.
     constexpr double near_distance = 0.1;
@@ -117,6 +128,7 @@ namespace Signorini
     , multiplier_factor_(multiplier_factor(settings.time))
     , rigid_scheme_(rigid_scheme(settings.time))
     , rigid_share_(rigid_share(settings.time))
+    , old_contact_share_(old_contact_share(settings.time))
     , inertia_(solid,
                contact,
                settings.time.dynamic &&
@@ -377,8 +389,6 @@ namespace Signorini
                            points,
                            state);
     measure_motion(state);
-    const bool acts_at_both_ends =
-      !settings_.time.dynamic || settings_.time.contact_mass != "consistent";
     const auto &old_forces = old_state.contact_forces.normal;
     const bool  has_old_forces =
       std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
@@ -386,12 +396,12 @@ namespace Signorini
       });
     const StepContact<dim> contact(contact_,
                                    old_state,
-                                   acts_at_both_ends && has_old_forces ?
+                                   old_contact_share_ > 0. && has_old_forces ?
                                      evaluate_contact(old_state, old_state) :
                                      points,
                                    state,
                                    points,
-                                   acts_at_both_ends);
+                                   old_contact_share_);
     measure_work(solid_,
                  contact,
                  mean_support_force(old_state, residual, points, state),

@@ -11,11 +11,13 @@ namespace Signorini
   /**
    * The contact forces of a step and the work that they do over its motion dU.
    *
-   * Where nodes have no mass, forces are in balance at both ends of the step,
-   * and work is that of the trapezoidal rule, each force with the normals of
-   * its own end:
-   *   1/2 (A_n^T lambda_n + A_np^T lambda_np) . dU.
-   * Where they have, those of the end act throughout: A_np^T lambda_np . dU.
+   *   w A_n^T lambda_n . dU + (1 - w) A_np^T lambda_np . dU,
+   *
+   * each force with the normals of its own end. Where nodes have no mass,
+   * forces are in balance at both ends of the step, and w = 1/2. Where they
+   * have, those of the end act in the weighted balance, and the velocity gets
+   * from those of the start what Newmark's formula keeps of the old
+   * acceleration: w = (1 - gamma - alpha_B)/(1 - alpha_B).
    */
   template <int dim>
   class StepContact
@@ -24,13 +26,13 @@ namespace Signorini
     /** All but the old points must outlive the object.
      * @param old_points where the contacts were at the start; read where forces
      *                   acted then
-     * @param acts_at_both_ends or as at its end throughout */
+     * @param old_share w, in [0, 1/2] */
     StepContact(const ContactModel<dim>              &contact,
                 const State                          &old_state,
                 std::vector<ContactPoint<dim>>        old_points,
                 const State                          &state,
                 const std::vector<ContactPoint<dim>> &points,
-                const bool                            acts_at_both_ends);
+                const double                          old_share);
 
     /** Work of all contact forces, J. */
     double
@@ -65,8 +67,7 @@ namespace Signorini
               const std::vector<ContactPoint<dim>> &points,
               const unsigned int                    k) const;
 
-    // Share of a force of the start and of the end in the step.
-    double old_share_, share_;
+    double old_share_, share_; // w, 1 - w
 
     const ContactModel<dim>              &contact_;
     const State                          &old_state_;

@@ -291,6 +291,7 @@ namespace Signorini
     double                   multiplier_factor_;
     GeneralizedAlpha         rigid_scheme_;
     double                   rigid_share_; // 1 over the scale of their rows
+    double                   old_contact_share_; // see StepContact
     ContactInertia<dim>      inertia_;
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;      // of a node, kg
