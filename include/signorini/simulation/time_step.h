@@ -259,6 +259,10 @@ namespace Signorini
             const Iterate                        &iterate,
             State                                &state);
 
+    // The contact forces that the multipliers are a share of, N.
+    InterfaceForces
+    contact_forces(const Iterate &iterate) const;
+
     void
     finish(const State                          &old_state,
            const double                          step_size,
