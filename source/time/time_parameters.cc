@@ -68,9 +68,11 @@ namespace Signorini
       const std::string name = prm.get("Scheme");
       if (name != "automatic")
         return name;
-      const bool names_radius =
-        prm.get_double("Spectral radius") != usual_spectral_radius;
-      if (!is_large_and_elastic || names_radius)
+      // Who says how it damps, or that nodes lose their mass, means the other.
+      const bool speaks_of_other =
+        prm.get_double("Spectral radius") != usual_spectral_radius ||
+        prm.get("Contact mass") == "redistributed";
+      if (!is_large_and_elastic || speaks_of_other)
         return "Chung-Hulbert";
       return conserving;
     }
@@ -113,8 +115,8 @@ namespace Signorini
         "automatic",
         Patterns::Selection(scheme_names()),
         "Time integration. automatic: energy momentum for elastic bodies with "
-        "finite strain unless a Spectral radius is given, and Chung-Hulbert "
-        "for others. energy momentum keeps energy, momentum and angular "
+        "finite strain unless a Spectral radius or Contact mass = "
+        "redistributed is given, and Chung-Hulbert for others. energy momentum keeps energy, momentum and angular "
         "momentum of elastic bodies in steps of any size, whatever their "
         "strains and rotations; contact forces ring with it, and where cells "
         "flow it is of second order only. Chung-Hulbert reads `Spectral "
