@@ -35,12 +35,7 @@ namespace Signorini
         mass.redistribution.extrapolate(state.acceleration);
       }
     const auto timing = timings_.measure(section_residual_);
-    measure_support_forces(solid_,
-                           solid_.mass().empty() ? nullptr :
-                                                   &inertia_.mass(state).matrix,
-                           contact_,
-                           points,
-                           state);
+    measure_supports(points, state);
     measure_motion(state);
     const auto &old_forces = old_state.contact_forces.normal;
     const bool  has_old_forces =
@@ -123,6 +118,21 @@ namespace Signorini
 
   template <int dim>
   void
+  TimeStep<dim>::measure_supports(const std::vector<ContactPoint<dim>> &points,
+                                  State                                &state)
+  {
+    measure_support_forces(solid_,
+                           solid_.mass().empty() ? nullptr :
+                                                   &inertia_.mass(state).matrix,
+                           contact_,
+                           points,
+                           state);
+  }
+
+
+
+  template <int dim>
+  void
   TimeStep<dim>::measure_motion(State &state)
   {
     if (solid_.mass().empty())
@@ -141,6 +151,8 @@ namespace Signorini
                                       const std::vector<ContactPoint<dim>> &, \
                                       const Iterate &,                        \
                                       State &);                               \
+  template void TimeStep<dim>::measure_supports(                              \
+    const std::vector<ContactPoint<dim>> &, State &);                         \
   template void TimeStep<dim>::measure_motion(State &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,4 +1,3 @@
-#include <signorini/simulation/energy_balance.h>
 #include <signorini/simulation/initial_acceleration.h>
 #include <signorini/simulation/momentum.h>
 #include <signorini/simulation/slip.h>
@@ -200,12 +199,7 @@ namespace Signorini
     for (const auto &point : points)
       state.gaps.push_back(point.gap);
     find_initial_slip(points, state);
-    measure_support_forces(solid_,
-                           solid_.mass().empty() ? nullptr :
-                                                   &inertia_.mass(state).matrix,
-                           contact_,
-                           points,
-                           state);
+    measure_supports(points, state);
     measure_motion(state);
     state.energy.initial =
       state.energy.kinetic + state.energy.stored + state.energy.plastic;

@@ -83,14 +83,9 @@ namespace Signorini
           return *part.body;
         names.push_back(part.body->name());
       }
-    std::string list;
-    for (const auto &known : names)
-      list += (list.empty() ? "" : ", ") + known;
-    const std::string nearest = nearest_name(name, names);
-    throw InputError(
-      entry + ": there is no body \"" + name + "\"." +
-      (nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?") +
-      " The bodies are: " + list + ".");
+    throw InputError(entry + ": there is no body \"" + name + "\"." +
+                     did_you_mean(name, names) +
+                     " The bodies are: " + comma_separated(names) + ".");
   }
 
 

@@ -62,6 +62,21 @@ namespace
     return list;
   }
 
+  // Calls check(case, dimension).
+  template <typename Check>
+  void
+  for_all_cases(const Check &check)
+  {
+    for (const Case &test : cases())
+      BOOST_TEST_CONTEXT(test.name)
+      {
+        if (test.formulation == Formulation::three_dimensional)
+          check(test, std::integral_constant<int, 3>());
+        else
+          check(test, std::integral_constant<int, 2>());
+      }
+  }
+
   template <int dim>
   std::string
   section(const std::string &dilatation, const std::string &law)
@@ -167,14 +182,9 @@ namespace
 
 BOOST_AUTO_TEST_CASE(tangent_is_the_derivative_of_the_forces)
 {
-  for (const Case &test : cases())
-    BOOST_TEST_CONTEXT(test.name)
-    {
-      if (test.formulation == Formulation::three_dimensional)
-        check_tangents<3>(test);
-      else
-        check_tangents<2>(test);
-    }
+  for_all_cases([](const Case &test, const auto dim) {
+    check_tangents<decltype(dim)::value>(test);
+  });
 }
 
 
@@ -314,14 +324,9 @@ namespace
 
 BOOST_AUTO_TEST_CASE(mean_force_does_the_work_of_the_energy_and_no_more)
 {
-  for (const Case &test : cases())
-    BOOST_TEST_CONTEXT(test.name)
-    {
-      if (test.formulation == Formulation::three_dimensional)
-        check_mean_forces<3>(test);
-      else
-        check_mean_forces<2>(test);
-    }
+  for_all_cases([](const Case &test, const auto dim) {
+    check_mean_forces<decltype(dim)::value>(test);
+  });
 }
 
 

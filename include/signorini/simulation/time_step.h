@@ -283,6 +283,11 @@ namespace Signorini
                        const std::vector<ContactPoint<dim>> &points,
                        const State                          &state) const;
 
+    // Forces of given unknowns.
+    void
+    measure_supports(const std::vector<ContactPoint<dim>> &points,
+                     State                                &state);
+
     void
     measure_motion(State &state);
 
