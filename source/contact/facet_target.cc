@@ -1,3 +1,4 @@
+#include <signorini/contact/facet_stiffness.h>
 #include <signorini/contact/facet_target.h>
 #include <signorini/contact/moving_triangle.h>
 
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bilinear_shape.h"
 #include "tangents.h"
 
 namespace Signorini
@@ -18,10 +20,9 @@ namespace Signorini
     // A point of a facet, from where x is seen along the normal.
     struct FacetPoint
     {
-      unsigned int          facet;
+      FacetPlace            place;
       std::array<double, 4> shape; // N_a, 1
       Tensor<1, 3>          normal;
-      double                gap;       // m
       double                overshoot; // beyond the edges, in parts of a facet
     };
 
@@ -35,21 +36,16 @@ namespace Signorini
     // As for curves: normals less opposed than this do not face each other.
     constexpr double maximal_cosine = -0.1;
 
-    std::array<double, 4>
-    bilinear(const double xi, const double eta)
-    {
-      return {
-        {(1. - xi) * (1. - eta), xi * (1. - eta), (1. - xi) * eta, xi * eta}};
-    }
-
     class PlacedFacets : public PlacedTarget<3>
     {
     public:
-      PlacedFacets(const ContactorSurface<3> &surface,
-                   const Configuration       &now,
-                   const Configuration       &before,
-                   const double               reach,
-                   const double               penetration_limit);
+      PlacedFacets(
+        const ContactorSurface<3>                    &surface,
+        const std::vector<std::vector<unsigned int>> &facets_of_nodes,
+        const Configuration                          &now,
+        const Configuration                          &before,
+        const double                                  reach,
+        const double                                  penetration_limit);
 
       std::optional<TargetPoint<3>>
       closest(const ContactorPoint<3> &point) const override;
@@ -81,12 +77,13 @@ namespace Signorini
       TargetPoint<3>
       target_point(const FacetPoint &found) const;
 
-      const ContactorSurface<3>      &surface_;
-      const double                    reach_;
-      const double                    penetration_limit_;
-      const std::vector<Point<3>>     positions_;
-      const std::vector<Point<3>>     positions_before_;
-      const std::vector<Tensor<1, 3>> normals_;
+      const ContactorSurface<3>                    &surface_;
+      const std::vector<std::vector<unsigned int>> &facets_of_nodes_;
+      const double                                  reach_;
+      const double                                  penetration_limit_;
+      const std::vector<Point<3>>                   positions_;
+      const std::vector<Point<3>>                   positions_before_;
+      const std::vector<Tensor<1, 3>>               normals_;
 
       double largest_motion_ = 0.; // of a node over the step, m
 
@@ -95,12 +92,15 @@ namespace Signorini
 
 
 
-    PlacedFacets::PlacedFacets(const ContactorSurface<3> &surface,
-                               const Configuration       &now,
-                               const Configuration       &before,
-                               const double               reach,
-                               const double               penetration_limit)
+    PlacedFacets::PlacedFacets(
+      const ContactorSurface<3>                    &surface,
+      const std::vector<std::vector<unsigned int>> &facets_of_nodes,
+      const Configuration                          &now,
+      const Configuration                          &before,
+      const double                                  reach,
+      const double                                  penetration_limit)
       : surface_(surface)
+      , facets_of_nodes_(facets_of_nodes)
       , reach_(reach)
       , penetration_limit_(penetration_limit)
       , positions_(node_positions(surface.nodes, now.displacement))
@@ -146,11 +146,11 @@ namespace Signorini
       double                 xi = 0.5, eta = 0.5, s = 0.;
       for (unsigned int step = 0; step < most_steps; ++step)
         {
-          const auto                  shape = bilinear(xi, eta);
-          const std::array<double, 4> by_xi = {{eta - 1., 1. - eta, -eta, eta}};
-          const std::array<double, 4> by_eta = {{xi - 1., -xi, 1. - xi, xi}};
-          const Tensor<1, 3>          m = interpolate(facet, shape, normals_);
-          const Tensor<1, 3>          rest =
+          const auto         shape  = bilinear_shape(xi, eta);
+          const auto         by_xi  = bilinear_by_xi(eta);
+          const auto         by_eta = bilinear_by_eta(xi);
+          const Tensor<1, 3> m      = interpolate(facet, shape, normals_);
+          const Tensor<1, 3> rest =
             x - interpolate(facet, shape, positions_) - s * m;
           const std::array<Tensor<1, 3>, 3> columns = {
             {interpolate(facet, by_xi, positions_) +
@@ -177,13 +177,15 @@ namespace Signorini
             continue;
 
           FacetPoint point;
-          point.facet     = facet;
-          point.overshoot = std::max({0., -xi, xi - 1., -eta, eta - 1.});
-          point.shape =
-            bilinear(std::clamp(xi, 0., 1.), std::clamp(eta, 0., 1.));
-          point.normal = interpolate(facet, point.shape, normals_);
+          point.overshoot    = std::max({0., -xi, xi - 1., -eta, eta - 1.});
+          point.place.facet  = facet;
+          point.place.xi     = std::clamp(xi, 0., 1.);
+          point.place.eta    = std::clamp(eta, 0., 1.);
+          point.place.slides = {{point.place.xi == xi, point.place.eta == eta}};
+          point.shape        = bilinear_shape(point.place.xi, point.place.eta);
+          point.normal       = interpolate(facet, point.shape, normals_);
           point.normal /= point.normal.norm();
-          point.gap =
+          point.place.gap =
             (x - interpolate(facet, point.shape, positions_)) * point.normal;
           return point;
         }
@@ -198,7 +200,8 @@ namespace Signorini
     {
       return candidate.overshoot <=
                (point.is_node ? near_border : rounding_of_place) &&
-             candidate.gap <= reach_ && candidate.gap >= -penetration_limit_ &&
+             candidate.place.gap <= reach_ &&
+             candidate.place.gap >= -penetration_limit_ &&
              (point.normal.norm() == 0. ||
               point.normal * candidate.normal < maximal_cosine);
     }
@@ -231,7 +234,7 @@ namespace Signorini
         const bool best_inside = best->overshoot <= rounding_of_place;
         return inside != best_inside ?
                                 inside :
-                                std::abs(candidate.gap) < std::abs(best->gap);
+                                std::abs(candidate.place.gap) < std::abs(best->place.gap);
       };
       namespace bgi = boost::geometry::index;
       for (auto near = tree_.qbegin(bgi::nearest(
@@ -243,7 +246,7 @@ namespace Signorini
             boost::geometry::distance(near->first, point.position);
           if (distance > reach_ ||
               (best && best->overshoot <= rounding_of_place &&
-               distance > std::abs(best->gap)))
+               distance > std::abs(best->place.gap)))
             break;
           if (carries(near->second, point.unknown))
             continue;
@@ -304,19 +307,27 @@ namespace Signorini
     PlacedFacets::target_point(const FacetPoint &found) const
     {
       TargetPoint<3> target;
-      target.gap      = found.gap;
+      target.gap      = found.place.gap;
       target.normal   = found.normal;
       target.tangents = tangents_of(found.normal);
-      target.motion   = interpolate(found.facet, found.shape, positions_) -
-                      interpolate(found.facet, found.shape, positions_before_);
-      for (unsigned int a = 0; a < 4; ++a)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            Tensor<1, 3> share;
-            share[c] = found.shape[a];
-            target.carriers.emplace_back(
-              surface_.nodes[surface_.faces[found.facet][a]].dofs[c], share);
-          }
+      target.motion =
+        interpolate(found.place.facet, found.shape, positions_) -
+        interpolate(found.place.facet, found.shape, positions_before_);
+      auto stiffness =
+        facet_stiffness(surface_, facets_of_nodes_, positions_, found.place);
+      for (unsigned int i = 0; i < stiffness.nodes.size(); ++i)
+        {
+          const unsigned int node  = stiffness.nodes[i];
+          const double       share = i < 4 ? found.shape[i] : 0.;
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              Tensor<1, 3> motion;
+              motion[c] = share;
+              target.carriers.emplace_back(surface_.nodes[node].dofs[c],
+                                           motion);
+            }
+        }
+      target.curvature = std::move(stiffness.matrix);
       return target;
     }
   } // namespace
@@ -327,6 +338,7 @@ namespace Signorini
                            const std::string          &boundary,
                            const SurfaceInterpolation &interpolation)
     : DeformingTarget<3>(body, boundary, interpolation)
+    , facets_of_nodes_(facets_of_nodes(surface_))
   {}
 
 
@@ -336,6 +348,6 @@ namespace Signorini
                      const Configuration &before) const
   {
     return std::make_unique<PlacedFacets>(
-      surface_, now, before, reach_, penetration_limit_);
+      surface_, facets_of_nodes_, now, before, reach_, penetration_limit_);
   }
 } // namespace Signorini

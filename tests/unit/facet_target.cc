@@ -111,6 +111,33 @@ BOOST_AUTO_TEST_CASE(flat)
 
 
 
+// Forces on a bumpy target turn and change their places as both bodies move;
+// one node lies beside the border, where its place is held.
+BOOST_AUTO_TEST_CASE(turning_forces)
+{
+  for (const auto &[degree, more] : cases)
+    for (const double gap : {0., 0.03})
+      BOOST_TEST_CONTEXT("degree " << degree << ", gap " << gap << ", " << more)
+      {
+        Boxes boxes(degree, gap, more);
+        for (const auto &node : boxes.solid.parts()[1].body->nodes())
+          for (unsigned int c = 0; c < 3; ++c)
+            boxes.u[node.dofs[c]] =
+              0.02 * std::sin(4. * node.point[0] - 7. * node.point[1] + c);
+        for (const auto &node : boxes.solid.parts()[0].body->nodes())
+          if (node.point.distance(Point<3>(0.87, 0.79, 1.)) < 1e-6)
+            boxes.u[node.dofs[0]] = 0.14;
+        boxes.solid.constraints().distribute(boxes.u);
+        BOOST_TEST(
+          stiffness_error(boxes.contact,
+                          boxes.solid.constraints(),
+                          boxes.u,
+                          some_multipliers(boxes.contact.n_contacts())) < 1e-6);
+      }
+}
+
+
+
 // The frame of slip does not turn with the rounding of a normal along z.
 BOOST_AUTO_TEST_CASE(steady_tangents)
 {

@@ -4,6 +4,7 @@
 #include <signorini/contact/deforming_target.h>
 
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -30,6 +31,9 @@ namespace Signorini
 
     std::unique_ptr<PlacedTarget<3>>
     place(const Configuration &now, const Configuration &before) const override;
+
+  private:
+    const std::vector<std::vector<unsigned int>> facets_of_nodes_;
   };
 } // namespace Signorini
 
