@@ -117,6 +117,28 @@ namespace Signorini
 
 
 
+  // Where cells go to and fro between elastic and plastic, or contacts between
+  // open and closed, so does the residual, without becoming smaller; the middle
+  // of both ends that.
+  template <int dim>
+  double
+  TimeStep<dim>::first_share() const
+  {
+    constexpr double   stands   = 0.8; // of the residual two iterations ago
+    constexpr double   smallest = 1. / 8.;
+    const unsigned int n        = residuals_.size();
+    double             share    = 1.;
+    for (unsigned int last = n; last > 4 && share > smallest; last -= 2)
+      {
+        if (!(residuals_[last - 1] > stands * residuals_[last - 3]))
+          break;
+        share *= 0.5;
+      }
+    return share;
+  }
+
+
+
   template <int dim>
   double
   TimeStep<dim>::follow(
@@ -128,7 +150,7 @@ namespace Signorini
   {
     constexpr double     smallest = 1. / 64.;
     const Vector<double> start(state.displacement);
-    double               share = 1.;
+    double               share = first_share();
     while (true)
       try
         {
@@ -155,6 +177,8 @@ namespace Signorini
   template bool
   TimeStep<2>::predict(const State &, const Step &, State &);
   template double
+  TimeStep<2>::first_share() const;
+  template double
   TimeStep<2>::follow(const State &,
                       const double,
                       const EffectiveSystem<2>::Correction &,
@@ -166,6 +190,8 @@ namespace Signorini
   TimeStep<3>::begin(const State &, const Step &, State &);
   template bool
   TimeStep<3>::predict(const State &, const Step &, State &);
+  template double
+  TimeStep<3>::first_share() const;
   template double
   TimeStep<3>::follow(const State &,
                       const double,

@@ -135,6 +135,10 @@ namespace Signorini
     bool
     predict(const State &old_state, const Step &step, State &state);
 
+    // Of a correction, with which `follow' begins.
+    double
+    first_share() const;
+
     // Goes along a correction as far as the bodies can follow without a
     // failure, and returns the share of it; forces go the same share.
     double
