@@ -271,7 +271,7 @@ namespace Signorini
     const std::function<bool(const unsigned int)> &is_close) const
   {
     std::vector<unsigned int> nodes;
-    if (!redistributes_)
+    if (!redistributes_ || state.keeps_mass)
       return nodes;
     for (const auto &pair : contact_.pairs())
       for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
@@ -329,6 +329,45 @@ namespace Signorini
     new_mass.redistribution.extrapolate(result.acceleration);
 
     new_mass.redistribution.extrapolate(result.velocity);
+    keep_motion(old_mass, matrix, nodes, state.velocity, result);
+    solid_.constraints().distribute(result.velocity);
+    new_mass.redistribution.extrapolate(result.velocity);
+    return result;
+  }
+
+
+
+  template <int dim>
+  State
+  ContactInertia<dim>::give_mass(const State &state)
+  {
+    SparseMatrix<double> old_mass(solid_.sparsity());
+    old_mass.copy_from(mass(state).matrix);
+    State result = state;
+    result.massless_nodes.clear();
+    result.keeps_mass                  = true;
+    const SparseMatrix<double> &matrix = mass(result).matrix;
+
+    // What had no mass was in balance: the forces of inertia stay.
+    Vector<double> inertia(solid_.n_dofs());
+    old_mass.vmult(inertia, state.acceleration);
+    accelerate(matrix, solid_.is_fixed(), inertia, result.acceleration);
+    solid_.constraints().distribute(result.acceleration);
+    keep_motion(old_mass, matrix, state.massless_nodes, state.velocity, result);
+    solid_.constraints().distribute(result.velocity);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactInertia<dim>::keep_motion(const SparseMatrix<double>      &old_mass,
+                                   const SparseMatrix<double>      &mass,
+                                   const std::vector<unsigned int> &nodes,
+                                   const Vector<double> &old_velocity,
+                                   State                &result) const
+  {
     for (const auto &part : solid_.parts())
       {
         const Body<dim> &body    = *part.body;
@@ -341,11 +380,10 @@ namespace Signorini
                      node < body.first_dof() + body.n_dofs();
             }))
           continue;
-        const auto motions = rigid_motions(solid_, part, state.displacement);
-        keep_momenta(
-          motions, old_mass, matrix, state.velocity, result.velocity);
+        const auto motions = rigid_motions(solid_, part, result.displacement);
+        keep_momenta(motions, old_mass, mass, old_velocity, result.velocity);
 
-        const Vector<double> before = part_of(body, state.velocity, all_of);
+        const Vector<double> before = part_of(body, old_velocity, all_of);
         Vector<double>       now    = part_of(body, result.velocity, all_of);
         const Vector<double> others = [&] {
           Vector<double> rest(result.velocity);
@@ -355,19 +393,16 @@ namespace Signorini
         Vector<double> moving = part_of(body, now, free_of);
         if (!motions.empty())
           add(motions,
-              coefficients(motions, matrix, momenta(motions, matrix, moving)),
+              coefficients(motions, mass, momenta(motions, mass, moving)),
               -1.,
               moving);
-        keep_energy(matrix,
+        keep_energy(mass,
                     0.5 * old_mass.matrix_norm_square(before),
                     moving,
                     now);
         result.velocity = now;
         result.velocity += others;
       }
-    solid_.constraints().distribute(result.velocity);
-    new_mass.redistribution.extrapolate(result.velocity);
-    return result;
   }
 
 

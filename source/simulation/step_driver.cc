@@ -346,6 +346,12 @@ namespace Signorini
                 << " m as a whole to where contact holds them";
         log.line(message.str());
       }
+    if (!time_step_.mass_given_at().empty())
+      log.line("step " + std::to_string(state.step) +
+               ": without mass the stiffness was not positive definite at " +
+               time_step_.mass_given_at() +
+               ", and shorter steps do not help; all nodes keep their mass "
+               "from now on (Contact mass = consistent)");
     if (!time_step_.indefinite_at().empty())
       log.detail("step " + std::to_string(state.step) +
                  ": the stiffness was not positive definite at " +

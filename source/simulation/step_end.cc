@@ -44,12 +44,13 @@ namespace Signorini
       });
     const StepContact<dim> contact(contact_,
                                    old_state,
-                                   old_contact_share_ > 0. && has_old_forces ?
+                                   scheme_.old_contact_share > 0. &&
+                                       has_old_forces ?
                                      evaluate_contact(old_state, old_state) :
                                      points,
                                    state,
                                    points,
-                                   old_contact_share_);
+                                   scheme_.old_contact_share);
     measure_work(solid_,
                  contact,
                  mean_support_force(old_state, residual, points, state),

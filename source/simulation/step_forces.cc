@@ -19,12 +19,13 @@ namespace Signorini
     const auto inertia = [&](const GeneralizedAlpha &scheme) {
       return (1. - scheme.alpha_B) * scheme.acceleration_factor(step_size);
     };
-    return {1. - scheme_.alpha_H,
-            inertia(scheme_),
-            solid_.is_damped() ?
-              (1. - scheme_.alpha_H) * scheme_.velocity_factor(step_size) :
-              0.,
-            inertia(rigid_scheme_) / inertia(scheme_) / rigid_share_};
+    return {1. - scheme_.bodies.alpha_H,
+            inertia(scheme_.bodies),
+            solid_.is_damped() ? (1. - scheme_.bodies.alpha_H) *
+                                   scheme_.bodies.velocity_factor(step_size) :
+                                 0.,
+            inertia(scheme_.rigid_bodies) / inertia(scheme_.bodies) /
+              scheme_.rigid_share};
   }
 
 
@@ -118,15 +119,27 @@ namespace Signorini
         if (has_free_modes_)
           system_.place(state.displacement);
         if (system_.is_indefinite())
-          indefinite_at_ =
-            solid_.unknown_in_words(system_.indefinite_unknown());
+          note_indefinite(system_.indefinite_unknown(), state);
       }
     catch (const NotPositiveDefinite &error)
       {
+        note_indefinite(error.unknown, state);
         throw StepFailed(
           "the effective stiffness is not positive definite at " +
-          solid_.unknown_in_words(error.unknown));
+          indefinite_at_);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  TimeStep<dim>::note_indefinite(const unsigned int unknown, const State &state)
+  {
+    indefinite_at_ = solid_.unknown_in_words(unknown);
+    lacks_mass_ =
+      lacks_mass_ || (settings_.time.dynamic &&
+                      inertia_.mass(state).redistribution.is_massless(unknown));
   }
 
 
@@ -140,15 +153,15 @@ namespace Signorini
     if (!settings_.time.dynamic)
       return;
     const auto timing  = timings_.measure(section_residual_);
-    state.acceleration = scheme_.acceleration(state.displacement,
-                                              old_state.displacement,
-                                              old_state.velocity,
-                                              old_state.acceleration,
-                                              step_size);
-    state.velocity     = scheme_.velocity(state.acceleration,
-                                      old_state.velocity,
-                                      old_state.acceleration,
-                                      step_size);
+    state.acceleration = scheme_.bodies.acceleration(state.displacement,
+                                                     old_state.displacement,
+                                                     old_state.velocity,
+                                                     old_state.acceleration,
+                                                     step_size);
+    state.velocity     = scheme_.bodies.velocity(state.acceleration,
+                                             old_state.velocity,
+                                             old_state.acceleration,
+                                             step_size);
     update_rigid_rates(old_state, step_size, state);
     solid_.apply_support_rates(state.time,
                                step_size,
@@ -170,24 +183,24 @@ namespace Signorini
 
     // (1-alpha_H) (F - F_int) + alpha_H (F_n - F_int,n); nodes without mass
     // are in balance at the end of the step, whatever was before.
-    force *= 1. - scheme_.alpha_H;
+    force *= 1. - scheme_.bodies.alpha_H;
     if (conserves_energy_)
       {
         force = state.external_force;
         force.sadd(0.5, 0.5, old_state.external_force);
         force -= mean_internal_force_;
       }
-    else if (scheme_.alpha_H != 0.)
+    else if (scheme_.bodies.alpha_H != 0.)
       {
         Vector<double> history(old_state.external_force);
         history -= old_state.internal_force;
         inertia_.mass(state).redistribution.clear_massless(history);
-        force.add(scheme_.alpha_H, history);
+        force.add(scheme_.bodies.alpha_H, history);
       }
 
     Vector<double> weighted(state.acceleration);
-    weighted.sadd(1. - scheme_.alpha_B,
-                  scheme_.alpha_B,
+    weighted.sadd(1. - scheme_.bodies.alpha_B,
+                  scheme_.bodies.alpha_B,
                   old_state.acceleration);
     Vector<double> product(force.size());
     inertia_.mass(state).matrix.vmult(product, weighted);
@@ -195,8 +208,8 @@ namespace Signorini
     if (solid_.is_damped())
       {
         weighted = state.velocity;
-        weighted.sadd(1. - scheme_.alpha_H,
-                      scheme_.alpha_H,
+        weighted.sadd(1. - scheme_.bodies.alpha_H,
+                      scheme_.bodies.alpha_H,
                       old_state.velocity);
         solid_.damping().vmult(product, weighted);
         force -= product;
@@ -216,16 +229,17 @@ namespace Signorini
   {
     for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
       {
-        const double factor   = rigid_scheme_.acceleration_factor(step_size);
+        const double factor =
+          scheme_.rigid_bodies.acceleration_factor(step_size);
         const double old_rate = old_state.acceleration[i];
         state.acceleration[i] =
           factor * (state.displacement[i] - old_state.displacement[i] -
                     step_size * old_state.velocity[i]) +
-          (1. - 0.5 / rigid_scheme_.beta) * old_rate;
+          (1. - 0.5 / scheme_.rigid_bodies.beta) * old_rate;
         state.velocity[i] =
           old_state.velocity[i] +
-          step_size * ((1. - rigid_scheme_.gamma) * old_rate +
-                       rigid_scheme_.gamma * state.acceleration[i]);
+          step_size * ((1. - scheme_.rigid_bodies.gamma) * old_rate +
+                       scheme_.rigid_bodies.gamma * state.acceleration[i]);
       }
   }
 
@@ -237,15 +251,15 @@ namespace Signorini
                                     const State    &state,
                                     Vector<double> &residual) const
   {
-    const double alpha_B = rigid_scheme_.alpha_B;
-    const double alpha_H = rigid_scheme_.alpha_H;
+    const double alpha_B = scheme_.rigid_bodies.alpha_B;
+    const double alpha_H = scheme_.rigid_bodies.alpha_H;
     for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
       residual[i] = ((1. - alpha_H) * state.external_force[i] +
                      alpha_H * old_state.external_force[i] -
                      solid_.mass().diag_element(i) *
                        ((1. - alpha_B) * state.acceleration[i] +
                         alpha_B * old_state.acceleration[i])) /
-                    rigid_share_;
+                    scheme_.rigid_share;
   }
 
 
@@ -260,6 +274,8 @@ namespace Signorini
   TimeStep<2>::move_supports(const State &, const double, State &);
   template void
   TimeStep<2>::factorise(const double, const State &);
+  template void
+  TimeStep<2>::note_indefinite(const unsigned int, const State &);
   template void
   TimeStep<2>::update_rates(const State &, const double, State &) const;
   template void
@@ -280,6 +296,8 @@ namespace Signorini
   TimeStep<3>::move_supports(const State &, const double, State &);
   template void
   TimeStep<3>::factorise(const double, const State &);
+  template void
+  TimeStep<3>::note_indefinite(const unsigned int, const State &);
   template void
   TimeStep<3>::update_rates(const State &, const double, State &) const;
   template void

@@ -1,6 +1,7 @@
 #include <signorini/simulation/initial_acceleration.h>
 #include <signorini/simulation/momentum.h>
 #include <signorini/simulation/slip.h>
+#include <signorini/simulation/step_scheme.h>
 #include <signorini/simulation/time_step.h>
 #include <signorini/variational_inequality/interface_error.h>
 
@@ -14,48 +15,6 @@ namespace Signorini
 
   namespace
   {
-    // Contact forces act on massless nodes as loads do, with the weight of the
-    // new state; on nodes with mass they are fully implicit.
-    double
-    multiplier_factor(const TimeParameters &time)
-    {
-      return time.dynamic && time.contact_mass != "consistent" ?
-               1. - time.scheme.alpha_H :
-               1.;
-    }
-
-    // A rigid body stands against massless nodes, which are in balance at the
-    // end of the step. Its own method is of second order, as that of the
-    // bodies, needs no old contact force, and lets nothing ring when nodes
-    // land.
-    GeneralizedAlpha
-    rigid_scheme(const TimeParameters &time)
-    {
-      return time.contact_mass == "consistent" ? time.scheme :
-                                                 chung_hulbert(0.);
-    }
-
-    // What the multiplier of the interface problem is of the contact force that
-    // acts on a rigid body in its method, inverted: where every node has mass
-    // it is that force.
-    double
-    rigid_share(const TimeParameters &time)
-    {
-      return time.contact_mass == "consistent" ? 1. :
-                                                 1. / multiplier_factor(time);
-    }
-
-    // Share of the old contact forces in the work of a step.
-    double
-    old_contact_share(const TimeParameters &time)
-    {
-      if (!time.dynamic || time.contact_mass != "consistent")
-        return 0.5;
-      const GeneralizedAlpha &scheme = time.scheme;
-      return std::clamp(
-        (1. - scheme.gamma - scheme.alpha_B) / (1. - scheme.alpha_B), 0., 0.5);
-    }
-
     // Relative to the bodies: surfaces that are as near at the start have no
     // mass from the beginning, those that come near later lose it then.
     constexpr double near_distance = 0.1;
@@ -120,19 +79,15 @@ namespace Signorini
     , contact_(contact)
     , settings_(settings)
     , timings_(timings)
-    , scheme_(settings.time.scheme)
+    , scheme_(step_scheme(settings.time, false))
     , conserves_energy_(settings.time.dynamic && settings.time.conserves_energy)
-    , multiplier_factor_(multiplier_factor(settings.time))
-    , rigid_scheme_(rigid_scheme(settings.time))
-    , rigid_share_(rigid_share(settings.time))
-    , old_contact_share_(old_contact_share(settings.time))
     , inertia_(solid,
                contact,
                settings.time.dynamic &&
                  settings.time.contact_mass != "consistent")
     , system_(solid,
               contact,
-              create_algorithm(settings.algorithm, multiplier_factor_),
+              create_algorithm(settings.algorithm, scheme_.multiplier_factor),
               !settings.time.dynamic,
               timings)
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
@@ -142,6 +97,7 @@ namespace Signorini
                       !solid.free_modes(Vector<double>(solid.n_dofs())).empty())
     , approach_(0.)
     , failed_step_(0)
+    , lacks_mass_(false)
     , section_residual_(timings.add("residual and energy"))
     , section_assembly_(solid.is_linear() ? section_residual_ :
                                             timings.add("assembly"))
@@ -212,27 +168,33 @@ namespace Signorini
   State
   TimeStep<dim>::advance(const State &old_state, const Step &step)
   {
-    approach_    = 0.;
+    approach_ = 0.;
+    mass_given_at_.clear();
     State start  = old_state;
     auto  forces = old_state.contact_forces;
     if (has_free_modes_)
       forces = approach_contact(step.end(), start);
-    try
-      {
-        while (true)
-          {
-            State      state  = start;
-            const auto landed = iterate(start, step, forces, state);
-            if (landed.empty())
-              return state;
-            start = inertia_.take_mass(start, landed);
-          }
-      }
-    catch (const StepFailed &)
-      {
-        failed_step_ = step.number;
-        throw;
-      }
+    while (true)
+      try
+        {
+          scheme_           = step_scheme(settings_.time, start.keeps_mass);
+          State      state  = start;
+          const auto landed = iterate(start, step, forces, state);
+          if (landed.empty())
+            return state;
+          start = inertia_.take_mass(start, landed);
+        }
+      catch (const StepFailed &)
+        {
+          // No shorter step helps against a surface that wrinkles.
+          if (!lacks_mass_ || !system_.algorithm().enforces_exactly())
+            {
+              failed_step_ = step.number;
+              throw;
+            }
+          mass_given_at_ = indefinite_at_;
+          start          = inertia_.give_mass(old_state);
+        }
   }
 
 
@@ -246,6 +208,7 @@ namespace Signorini
   {
     fallbacks_.clear();
     indefinite_at_.clear();
+    lacks_mass_ = false;
     residuals_.clear();
     if (settings_.time.dynamic)
       system_.use_mass(inertia_.mass(old_state).matrix,
@@ -261,7 +224,7 @@ namespace Signorini
                        friction_coefficients(contact_, old_state),
                        std::numeric_limits<double>::max(),
                        0.};
-    scale(iterate.multipliers, multiplier_factor_);
+    scale(iterate.multipliers, scheme_.multiplier_factor);
     while (true)
       {
         update_rates(old_state, step.size, state);
@@ -355,7 +318,7 @@ namespace Signorini
   TimeStep<dim>::contact_forces(const Iterate &iterate) const
   {
     InterfaceForces forces = iterate.multipliers;
-    scale(forces, 1. / multiplier_factor_);
+    scale(forces, 1. / scheme_.multiplier_factor);
     return forces;
   }
 

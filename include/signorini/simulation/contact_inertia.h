@@ -14,8 +14,8 @@ namespace Signorini
   /**
    * The inertia of bodies whose surfaces lose their mass when they come into
    * contact: all candidates of a pair with the first of them that closes, or
-   * from the start if the pair is near. They stay without. Pairs that are far
-   * and never touch change nothing.
+   * from the start if the pair is near. They stay without, unless all get
+   * their mass back. Pairs that are far and never touch change nothing.
    */
   template <int dim>
   class ContactInertia
@@ -68,7 +68,22 @@ namespace Signorini
     State
     take_mass(const State &state, const std::vector<unsigned int> &nodes);
 
+    /**
+     * The state after all nodes got their mass back, for the rest of the run.
+     * Momenta and energy are kept in the same way.
+     */
+    State
+    give_mass(const State &state);
+
   private:
+    // Velocities of bodies whose nodes lost or got mass.
+    void
+    keep_motion(const dealii::SparseMatrix<double> &old_mass,
+                const dealii::SparseMatrix<double> &mass,
+                const std::vector<unsigned int>    &nodes,
+                const dealii::Vector<double>       &old_velocity,
+                State                              &result) const;
+
     // Nodes with mass of pairs with a candidate that is close.
     std::vector<unsigned int>
     of_pairs(const State                                   &state,

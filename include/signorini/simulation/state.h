@@ -91,6 +91,9 @@ namespace Signorini
     // Nodes without mass, by their first unknown, in ascending order.
     std::vector<unsigned int> massless_nodes;
 
+    // True after nodes got their mass back: none loses it again.
+    bool keeps_mass = false;
+
     // F - F_int of nodes that lost their mass at the start of the step, N. It
     // went with their mass. Empty at the end of a step.
     dealii::Vector<double> handed_over;
@@ -120,7 +123,7 @@ namespace Signorini
       archive                                     &history;
       archive &contact_forces.normal        &contact_forces.tangential;
       archive &gaps &contact_debt           &energy;
-      archive &massless_nodes               &motions;
+      archive &massless_nodes &keeps_mass   &motions;
       archive &slips &slip_rates &slip_ways &is_slipping;
       archive &n_iterations &residual       &kkt_residual;
     }

@@ -7,6 +7,7 @@
 #include <signorini/simulation/effective_system.h>
 #include <signorini/simulation/state.h>
 #include <signorini/simulation/step_failed.h>
+#include <signorini/simulation/step_scheme.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/step.h>
 #include <signorini/time/time_parameters.h>
@@ -76,6 +77,14 @@ namespace Signorini
     indefinite_at() const
     {
       return indefinite_at_;
+    }
+
+    /** Where the stiffness was not positive definite in the last step because
+     * a node had no mass, so that all got theirs back: in words, or empty. */
+    const std::string &
+    mass_given_at() const
+    {
+      return mass_given_at_;
     }
 
     /** How far loads moved free bodies as a whole before the last step, to
@@ -172,6 +181,10 @@ namespace Signorini
     // @throws StepFailed, or NotPositiveDefinite if the solid is linear.
     void
     factorise(const double step_size, const State &state);
+
+    // Where K^ was not positive definite, and whether mass would help.
+    void
+    note_indefinite(const unsigned int unknown, const State &state);
 
     // Accelerations and velocities that belong to the displacement of `state`.
     void
@@ -299,12 +312,8 @@ namespace Signorini
     const ContactModel<dim> &contact_;
     Settings                 settings_;
     Timings                 &timings_;
-    GeneralizedAlpha         scheme_;
+    StepScheme               scheme_; // of the step
     bool                     conserves_energy_;
-    double                   multiplier_factor_;
-    GeneralizedAlpha         rigid_scheme_;
-    double                   rigid_share_; // 1 over the scale of their rows
-    double                   old_contact_share_; // see StepContact
     ContactInertia<dim>      inertia_;
     EffectiveSystem<dim>     system_;
     double                   largest_mass_;      // of a node, kg
@@ -315,6 +324,8 @@ namespace Signorini
     unsigned int             failed_step_;       // the last that failed
     std::string              fallbacks_;
     std::string              indefinite_at_;
+    std::string              mass_given_at_;
+    bool                     lacks_mass_; // indefinite at a massless node
     std::vector<double>      residuals_;
 
     // Absolute, of each unknown, since the step began, m: what corrections are

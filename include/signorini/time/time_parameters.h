@@ -39,6 +39,7 @@ namespace Signorini
     double           step_size; // s
     StepControl      step_control;
     GeneralizedAlpha scheme;
+    GeneralizedAlpha scheme_with_mass; // after nodes got their mass back
     bool             conserves_energy; // internal forces are those of the step
     std::string      contact_mass;     // consistent | redistributed
     bool             return_contact_work;
