@@ -140,7 +140,9 @@ namespace Signorini
     }
 
     // A target that is so much finer has nodes that no node of the contactor
-    // holds back.
+    // holds back. Where surfaces strain one leaves the other over its edge, and
+    // a node that does so at once takes its whole force along; a mean gap lets
+    // go little by little.
     template <int dim>
     ContactConstraint
     constraint_for(const Side<dim>      &contactor,
@@ -153,7 +155,10 @@ namespace Signorini
       const bool is_possible =
         dim == 2 && contactor.body->scalar_fe().degree <= 2 &&
         target.body->scalar_fe().degree <= 2 && is_flat(target);
-      return is_possible && mean_area(contactor) > coarse * mean_area(target) ?
+      const bool strains =
+        target.body->kinematics() == Kinematics::finite_strain;
+      return is_possible && (strains || mean_area(contactor) >
+                                          coarse * mean_area(target)) ?
                ContactConstraint::mortar :
                ContactConstraint::node_to_surface;
     }

@@ -27,9 +27,10 @@ namespace Signorini
         {"Constraint",
          "automatic",
          "automatic|node to surface|mortar",
-         "automatic: node to surface; but mortar in 2-D where the contactor is "
-         "coarser than a flat deforming target, whose nodes would go through "
-         "between those of the contactor. node to surface: the gap of each contactor node is constrained. "
+         "automatic: node to surface; but mortar in 2-D on a flat deforming "
+         "target, with finite strain, where surfaces leave each other over "
+         "edges, and where the contactor is coarser, so that nodes of the "
+         "target would go through between its own. node to surface: the gap of each contactor node is constrained. "
          "mortar (2-D): the mean gap over the share of the surface that "
          "belongs to each node, so that a uniform pressure passes through "
          "meshes that do not match."},
