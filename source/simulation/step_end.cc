@@ -18,6 +18,7 @@ namespace Signorini
                         const double                          step_size,
                         const Vector<double>                 &residual,
                         const std::vector<ContactPoint<dim>> &points,
+                        const std::vector<ContactPoint<dim>> &acting,
                         const Iterate                        &iterate,
                         State                                &state)
   {
@@ -47,9 +48,9 @@ namespace Signorini
                                    scheme_.old_contact_share > 0. &&
                                        has_old_forces ?
                                      evaluate_contact(old_state, old_state) :
-                                     points,
+                                     acting,
                                    state,
-                                   points,
+                                   acting,
                                    scheme_.old_contact_share);
     measure_work(solid_,
                  contact,
@@ -149,6 +150,7 @@ namespace Signorini
   template void TimeStep<dim>::finish(const State &,                          \
                                       const double,                           \
                                       const Vector<double> &,                 \
+                                      const std::vector<ContactPoint<dim>> &, \
                                       const std::vector<ContactPoint<dim>> &, \
                                       const Iterate &,                        \
                                       State &);                               \

@@ -233,7 +233,16 @@ namespace Signorini
           if (auto nodes = inertia_.approaching(points, old_state, step.size);
               !nodes.empty())
             return nodes;
-        const Vector<double> force = residual(old_state, state);
+        const auto     acting = acting_contacts(points, old_state, state);
+        Vector<double> force  = residual(old_state, state);
+        if (!acting.empty())
+          {
+            contact_.add_contact_forces(acting, iterate.multipliers, 1., force);
+            contact_.add_contact_forces(points,
+                                        iterate.multipliers,
+                                        -1.,
+                                        force);
+          }
         measure_balance(step.size, force, points, iterate.multipliers, state);
         const auto unmet = unmet_criterion(state, points, iterate);
         if (!unmet)
@@ -242,7 +251,13 @@ namespace Signorini
             if (!nodes.empty())
               return nodes;
             refuse_passage(old_state, iterate, state);
-            finish(old_state, step.size, force, points, iterate, state);
+            finish(old_state,
+                   step.size,
+                   force,
+                   points,
+                   acting.empty() ? points : acting,
+                   iterate,
+                   state);
             return {};
           }
         if (!std::isfinite(state.residual) ||
@@ -309,6 +324,30 @@ namespace Signorini
     const auto timing = timings_.measure(section_contact_);
     return contact_.evaluate({state.displacement, state.time},
                              {old_state.displacement, old_state.time});
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactPoint<dim>>
+  TimeStep<dim>::acting_contacts(const std::vector<ContactPoint<dim>> &points,
+                                 const State &old_state,
+                                 const State &state) const
+  {
+    if (!conserves_energy_ || contact_.is_flat())
+      return {};
+    const auto     timing = timings_.measure(section_contact_);
+    Vector<double> middle(state.displacement);
+    middle.sadd(0.5, 0.5, old_state.displacement);
+    auto acting =
+      contact_.evaluate({middle, 0.5 * (old_state.time + state.time)},
+                        {old_state.displacement, old_state.time});
+    for (unsigned int k = 0; k < points.size(); ++k)
+      if (!acting[k].is_in_reach())
+        acting[k] = points[k];
+      else
+        acting[k].slip = points[k].slip; // over the whole step
+    return acting;
   }
 
 

@@ -276,6 +276,14 @@ namespace Signorini
             const Iterate                        &iterate,
             State                                &state);
 
+    // Where energy is kept contact forces have the directions of the middle of
+    // the step, to second order those along which gaps change within it: so
+    // they do no work where a contact stays closed. Empty: those of its end.
+    std::vector<ContactPoint<dim>>
+    acting_contacts(const std::vector<ContactPoint<dim>> &points,
+                    const State                          &old_state,
+                    const State                          &state) const;
+
     // The contact forces that the multipliers are a share of, N.
     InterfaceForces
     contact_forces(const Iterate &iterate) const;
@@ -285,6 +293,7 @@ namespace Signorini
            const double                          step_size,
            const dealii::Vector<double>         &residual,
            const std::vector<ContactPoint<dim>> &points,
+           const std::vector<ContactPoint<dim>> &acting,
            const Iterate                        &iterate,
            State                                &state);
 
