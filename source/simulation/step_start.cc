@@ -117,13 +117,14 @@ namespace Signorini
 
 
 
-  // Where cells go to and fro between elastic and plastic, or contacts between
-  // open and closed, so does the residual, without becoming smaller; the middle
-  // of both ends that.
+  // Where cells go to and fro between elastic and plastic, so does the residual,
+  // without becoming smaller; going half the way, and less, ends that.
   template <int dim>
   double
   TimeStep<dim>::first_share() const
   {
+    if (solid_.is_linear())
+      return 1.;
     constexpr double   stands   = 0.8; // of the residual two iterations ago
     constexpr double   smallest = 1. / 8.;
     const unsigned int n        = residuals_.size();
