@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -35,6 +36,18 @@ namespace Signorini
           2. * overlap.sagitta + 1e-3 * overlap.length;
       return overlap.depth - limit - allowed;
     }
+
+    // The part of an overlap between nodes that carry forces which curved
+    // pieces do not explain, in lengths of the elements.
+    template <int dim>
+    double
+    unexplained(const Overlap<dim> &overlap, const double allowed)
+    {
+      return (overlap.depth - 2. * overlap.sagitta - allowed) / overlap.length;
+    }
+
+    // Beyond it forces are those of other shapes, in lengths of the elements.
+    constexpr double doubtful = 0.05;
 
     template <int dim>
     double
@@ -156,7 +169,7 @@ namespace Signorini
   std::vector<std::optional<Overlap<dim>>>
   OverlapWatch<dim>::find(const Configuration       &configuration,
                           const std::vector<double> &normal_forces,
-                          const std::vector<double> &allowed) const
+                          const std::vector<double> &allowed)
   {
     std::map<unsigned int, OccupiedRegion<dim>> regions;
     const auto region = [&](const unsigned int b) -> const auto &
@@ -184,6 +197,7 @@ namespace Signorini
            normal_forces});
         for (const auto &overlap : overlaps)
           {
+            note_pressed(p, overlap, allowed[p], configuration.time);
             const double too_much = excess(overlap, allowed[p]);
             if (too_much > 0. &&
                 (!worst[p] || too_much > excess(*worst[p], allowed[p])))
@@ -191,6 +205,43 @@ namespace Signorini
           }
       }
     return worst;
+  }
+
+
+
+  template <int dim>
+  void
+  OverlapWatch<dim>::note_pressed(const unsigned int  pair,
+                                  const Overlap<dim> &overlap,
+                                  const double        allowed,
+                                  const double        time)
+  {
+    const double share = unexplained(overlap, allowed);
+    if (overlap.is_pressed && (!deepest_ || share > deepest_->share))
+      deepest_ = {pair, share, overlap.place, time};
+  }
+
+
+
+  template <int dim>
+  std::string
+  OverlapWatch<dim>::summary() const
+  {
+    if (!deepest_ || deepest_->share < doubtful)
+      return "";
+    const auto        &pair = problem_.contact->pairs()[deepest_->pair];
+    std::ostringstream message;
+    message << "warning: at t = " << deepest_->time << " s body "
+            << pair.body->name() << " and \"" << pair.target->name()
+            << "\" lie in each other at (" << deepest_->place << "), by "
+            << std::setprecision(2) << 100. * deepest_->share
+            << " % of an element of the contactor between its nodes. Forces "
+               "there are those of other shapes: a finer mesh of body "
+            << pair.body->name() << " there helps"
+            << (dim == 2 && pair.constraint != ContactConstraint::mortar ?
+                  ", or Contact / Constraint = mortar." :
+                  ".");
+    return message.str();
   }
 
 

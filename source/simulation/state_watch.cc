@@ -22,7 +22,9 @@ namespace Signorini
   StateWatch<dim>::summarise(const State &state, Log &log) const
   {
     for (const std::string &warning :
-         {strains_.summary(), unpaired_overlaps(problem_, state.displacement)})
+         {strains_.summary(),
+          overlaps_.summary(),
+          unpaired_overlaps(problem_, state.displacement)})
       if (!warning.empty())
         log.line(warning);
   }

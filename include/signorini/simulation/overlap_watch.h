@@ -49,6 +49,11 @@ namespace Signorini
            const std::vector<double> &normal_forces,
            const std::vector<double> &gaps);
 
+    /** A warning if somewhere between nodes that carry forces the two sides lay
+     * in each other by more than a 20th of an element, or empty. */
+    std::string
+    summary() const;
+
   private:
     // A deformable target: its body and its boundary.
     struct Target
@@ -61,7 +66,13 @@ namespace Signorini
     std::vector<std::optional<Overlap<dim>>>
     find(const Configuration       &configuration,
          const std::vector<double> &normal_forces,
-         const std::vector<double> &allowed) const;
+         const std::vector<double> &allowed);
+
+    void
+    note_pressed(const unsigned int  pair,
+                 const Overlap<dim> &overlap,
+                 const double        allowed,
+                 const double        time);
 
     std::string
     in_words(const ContactPair<dim> &pair,
@@ -71,7 +82,16 @@ namespace Signorini
     void
     remember(const Configuration &configuration);
 
+    struct PressedOverlap
+    {
+      unsigned int       pair;
+      double             share; // of an element, 1
+      dealii::Point<dim> place; // m
+      double             time;  // s
+    };
+
     const Problem<dim>                &problem_;
+    std::optional<PressedOverlap>      deepest_;
     std::vector<std::optional<Target>> targets_; // none: rigid
     std::vector<double>                allowed_; // on purpose, m
 
