@@ -109,7 +109,6 @@ namespace Signorini
     StepTrial          trial;
     trial.size =
       next_step_size(control, record.step_memory, record.state.time, target);
-    std::vector<double> ends; // of the residual in failed trials
     while (true)
       {
         const Step  step{record.state.step + 1, record.state.time, trial.size};
@@ -150,17 +149,7 @@ namespace Signorini
             return;
           }
         if (!trial.converged)
-          {
-            report_failure(record.state, trial, verdict, failure, folder, log);
-            const auto &residuals = time_step_.residuals();
-            if (residuals.size() > problem_.time.maximal_iterations &&
-                residuals.back() > problem_.time.residual_tolerance)
-              ends.push_back(residuals.back());
-            else
-              ends.clear();
-            if (!problem_.time.dynamic && cuts_are_useless(ends))
-              give_up(record.state, trial, failure, folder, log);
-          }
+          report_failure(record.state, trial, verdict, failure, folder, log);
         else
           log.detail(step_in_words(record.state, trial.size) + ": " +
                      verdict.reason);
@@ -324,24 +313,6 @@ namespace Signorini
                 "last results to see what happens there. Often more Maximal "
                 "iterations, smaller steps, or a finer mesh where contact "
                 "happens help.");
-  }
-
-
-
-  template <int dim>
-  void
-  StepDriver<dim>::give_up(const State       &old_state,
-                           const StepTrial   &trial,
-                           const std::string &reason,
-                           const std::string &folder,
-                           Log               &log) const
-  {
-    write_interface(folder + "/interface_failed.txt", log);
-    throw ComputationError(
-      step_in_words(old_state, trial.size) + ": " + reason +
-      ". Steps half as long and shorter end with the same residual: it is not "
-      "the size of the step. Look at the last results to see what happens "
-      "there. A finer mesh where contact happens, or other supports may help.");
   }
 
 

@@ -271,18 +271,4 @@ namespace Signorini
       }
     return accept(control, memory, trial);
   }
-
-
-
-  bool
-  cuts_are_useless(const std::vector<double> &residuals)
-  {
-    constexpr unsigned int enough = 4;
-    constexpr double       ratio  = 1.25;
-    if (residuals.size() < enough)
-      return false;
-    const auto [smallest, largest] =
-      std::minmax_element(residuals.end() - enough, residuals.end());
-    return *largest <= ratio * *smallest;
-  }
 } // namespace Signorini

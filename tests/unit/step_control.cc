@@ -290,18 +290,4 @@ BOOST_AUTO_TEST_CASE(entries)
   BOOST_CHECK_THROW(parsed("set Minimal step size = 0.2", false), InputError);
 }
 
-
-
-// What falls with the size of the step is worth a cut, however slowly; what
-// stays is not, but one or two trials alike may be chance.
-BOOST_AUTO_TEST_CASE(useless_cuts)
-{
-  BOOST_TEST(!cuts_are_useless({}));
-  BOOST_TEST(!cuts_are_useless({0.9, 0.9, 0.9}));
-  BOOST_TEST(!cuts_are_useless({0.9, 0.8, 0.7, 0.6}));
-  BOOST_TEST(!cuts_are_useless({0.9, 0.9, 0.9, 0.1}));
-  BOOST_TEST(cuts_are_useless({0.93, 0.92, 0.95, 0.94}));
-  BOOST_TEST(cuts_are_useless({0.1, 5., 0.93, 0.92, 0.95, 0.94}));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

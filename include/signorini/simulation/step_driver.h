@@ -96,15 +96,6 @@ namespace Signorini
                    const std::string &folder,
                    Log               &log) const;
 
-    // Of a static run, where shorter steps do not help. @throws
-    // ComputationError.
-    [[noreturn]] void
-    give_up(const State       &old_state,
-            const StepTrial   &trial,
-            const std::string &reason,
-            const std::string &folder,
-            Log               &log) const;
-
     void
     accept(const StepTrial   &trial,
            const StepVerdict &verdict,

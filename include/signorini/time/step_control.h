@@ -121,15 +121,6 @@ namespace Signorini
   judge_step(const StepControl &control,
              const StepMemory  &memory,
              const StepTrial   &trial);
-
-  /**
-   * Of a static step: the last four trials, each half as long as the one
-   * before, ended with residuals that are alike to a quarter. A residual that
-   * the size of the step makes falls with it.
-   * @param residuals at the ends of trials of one step that did not converge
-   */
-  bool
-  cuts_are_useless(const std::vector<double> &residuals);
 } // namespace Signorini
 
 #endif
