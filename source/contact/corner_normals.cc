@@ -13,7 +13,7 @@ namespace Signorini
     constexpr double near_vertex = 0.05;
 
     // The same for what is at an open end but for rounding.
-    constexpr double rounding_of_place = 1e-9;
+    constexpr double rounding_at_end = 1e-9;
 
     // The normals on both sides of a vertex, in the order of the curve.
     std::array<Tensor<1, 2>, 2>
@@ -43,7 +43,7 @@ namespace Signorini
                       const CurveQuery &query,
                       const bool        is_node)
   {
-    const double allowance = is_node ? near_vertex : rounding_of_place;
+    const double allowance = is_node ? near_vertex : rounding_at_end;
     if (curve.is_closed())
       return {};
     for (const CurveParameter end :

@@ -13,7 +13,7 @@ namespace Signorini
   {
     template <int dim>
     std::string
-    section_name()
+    disc_or_ball()
     {
       return dim == 2 ? "Disc" : "Ball";
     }
@@ -25,7 +25,7 @@ namespace Signorini
   void
   Ball<dim>::declare_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection(section_name<dim>());
+    prm.enter_subsection(disc_or_ball<dim>());
     RoundShape<dim>::declare_parameters(prm);
     prm.leave_subsection();
   }
@@ -36,7 +36,7 @@ namespace Signorini
   void
   Ball<dim>::parse_parameters(const ParameterHandler &prm)
   {
-    shape = RoundShape<dim>::parse(Entries(prm, section_name<dim>()));
+    shape = RoundShape<dim>::parse(Entries(prm, disc_or_ball<dim>()));
   }
 
 

@@ -17,7 +17,7 @@ namespace Signorini
   {
     template <int dim>
     std::string
-    section_name()
+    rectangle_or_box()
     {
       return dim == 2 ? "Rectangle" : "Box";
     }
@@ -32,7 +32,7 @@ namespace Signorini
     const Patterns::List point(Patterns::Double(), dim, dim, ",");
     const Patterns::List counts(Patterns::Integer(), dim, dim, ",");
 
-    prm.enter_subsection(section_name<dim>());
+    prm.enter_subsection(rectangle_or_box<dim>());
     prm.declare_entry("Corners",
                       dim == 2 ? "0, 0 ; 1, 1" : "0, 0, 0 ; 1, 1, 1",
                       Patterns::List(point, 2, 2, ";"),
@@ -63,7 +63,7 @@ namespace Signorini
   void
   Block<dim>::parse_parameters(const ParameterHandler &prm)
   {
-    const Entries                  entries(prm, section_name<dim>());
+    const Entries                  entries(prm, rectangle_or_box<dim>());
     const std::vector<std::string> corners =
       Utilities::split_string_list(entries.text("Corners"), ';');
     const std::vector<double> first =

@@ -51,16 +51,6 @@ namespace Signorini
 
 
 
-  std::vector<Point<2>>
-  mirrored(std::vector<Point<2>> points)
-  {
-    for (Point<2> &p : points)
-      p[0] *= -1.;
-    return points;
-  }
-
-
-
   CellPatch
   mirrored(const CellPatch &patch)
   {

@@ -16,7 +16,7 @@ namespace Signorini
   {
     template <int dim>
     std::string
-    section_name()
+    half_disc_or_ball()
     {
       return dim == 2 ? "Half disc" : "Half ball";
     }
@@ -67,7 +67,7 @@ namespace Signorini
   void
   HalfBall<dim>::declare_parameters(ParameterHandler &prm)
   {
-    prm.enter_subsection(section_name<dim>());
+    prm.enter_subsection(half_disc_or_ball<dim>());
     RoundShape<dim>::declare_parameters(prm);
     prm.declare_entry("Flat side",
                       "top",
@@ -85,7 +85,7 @@ namespace Signorini
   void
   HalfBall<dim>::parse_parameters(const ParameterHandler &prm)
   {
-    const Entries entries(prm, section_name<dim>());
+    const Entries entries(prm, half_disc_or_ball<dim>());
     shape     = RoundShape<dim>::parse(entries);
     flat_side = entries.text("Flat side");
   }

@@ -120,21 +120,6 @@ namespace Signorini
       return rows;
     }
 
-    Polyline
-    mirrored(const Polyline &line)
-    {
-      Polyline image = line;
-      for (Point<2> &p : image)
-        p[0] = -p[0];
-      return image;
-    }
-
-    Point<2>
-    mirrored(const Point<2> &p)
-    {
-      return Point<2>(-p[0], p[1]);
-    }
-
     // The manifold id of arcs about this point.
     types::manifold_id
     arcs_about(const Point<2> &center, std::vector<Point<2>> &centers)

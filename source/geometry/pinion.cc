@@ -34,7 +34,7 @@ namespace Signorini
     }
 
     ToothRow
-    row_of(const ToothEntries &teeth, const unsigned int n_teeth)
+    row_of_pinion(const ToothEntries &teeth, const unsigned int n_teeth)
     {
       const double radius = GearTooth(n_teeth, teeth.parameters).pitch_radius();
       const double pitch  = 2. * numbers::PI / n_teeth;
@@ -118,7 +118,7 @@ namespace Signorini
   Pinion::create() const
   {
     return tooth_mesh(GearTooth(n_teeth, teeth.parameters).half_tooth(),
-                      row_of(teeth, n_teeth),
+                      row_of_pinion(teeth, n_teeth),
                       bore_radius,
                       "bore",
                       teeth.n_cells_along_flank);

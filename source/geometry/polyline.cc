@@ -116,6 +116,24 @@ namespace Signorini
 
 
 
+  Point<2>
+  mirrored(const Point<2> &point)
+  {
+    return Point<2>(-point[0], point[1]);
+  }
+
+
+
+  Polyline
+  mirrored(Polyline line)
+  {
+    for (Point<2> &point : line)
+      point = mirrored(point);
+    return line;
+  }
+
+
+
   Polyline
   joined(const Polyline &first, const Polyline &second)
   {

@@ -15,7 +15,7 @@ namespace Signorini
   namespace
   {
     ToothRow
-    row_of(const ToothEntries &teeth, const unsigned int n_pinion_teeth)
+    row_of_rack(const ToothEntries &teeth, const unsigned int n_pinion_teeth)
     {
       const double pitch = numbers::PI * teeth.parameters.module;
       const double half_thickness =
@@ -90,7 +90,7 @@ namespace Signorini
   {
     const RackTooth tooth(teeth.parameters);
     return tooth_mesh(tooth.half_tooth(),
-                      row_of(teeth, n_pinion_teeth),
+                      row_of_rack(teeth, n_pinion_teeth),
                       tooth.root_height() - back_thickness,
                       "back",
                       teeth.n_cells_along_flank);

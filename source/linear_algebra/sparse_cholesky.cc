@@ -9,11 +9,9 @@ namespace Signorini
 {
   using namespace dealii;
 
-  namespace
+  // CHOLMOD's objects with the owner they need.
+  namespace Cholmod
   {
-    constexpr unsigned int left_out = static_cast<unsigned int>(-1);
-
-    // CHOLMOD's objects with the owner they need.
     struct Common : cholmod_common
     {
       Common()
@@ -45,15 +43,20 @@ namespace Signorini
     template <typename T, int (*release)(T **, cholmod_common *)>
     using Handle = std::unique_ptr<T, Deleter<T, release>>;
 
-    using SparseHandle = Handle<cholmod_sparse, cholmod_free_sparse>;
-    using FactorHandle = Handle<cholmod_factor, cholmod_free_factor>;
-    using DenseHandle  = Handle<cholmod_dense, cholmod_free_dense>;
+    using Sparse = Handle<cholmod_sparse, cholmod_free_sparse>;
+    using Factor = Handle<cholmod_factor, cholmod_free_factor>;
+    using Dense  = Handle<cholmod_dense, cholmod_free_dense>;
+  } // namespace Cholmod
+
+  namespace
+  {
+    constexpr unsigned int left_out = static_cast<unsigned int>(-1);
 
     // The lower triangle of the pattern with unknown i at position
     // position[i], as compressed columns with sorted rows. `source`, if given,
     // receives for each entry of the pattern (row by row, as stored) its place
     // among the values, or left_out.
-    SparseHandle
+    Cholmod::Sparse
     lower_triangle(const SparsityPattern           &pattern,
                    const std::vector<unsigned int> &order,
                    const std::vector<unsigned int> &position,
@@ -70,7 +73,7 @@ namespace Signorini
               position[entry->column()] >= column)
             ++n_entries;
 
-      SparseHandle matrix(
+      Cholmod::Sparse matrix(
         cholmod_allocate_sparse(n, n, n_entries, 1, 1, -1, xtype, &common),
         {&common});
       if (!matrix)
@@ -112,18 +115,18 @@ namespace Signorini
     {
       if (unknowns.empty())
         return unknowns;
-      Common common;
-      common.nmethods           = 1;
-      common.method[0].ordering = CHOLMOD_NESDIS;
-      common.postorder          = 1;
-      common.supernodal         = CHOLMOD_SUPERNODAL;
-      const auto         graph  = lower_triangle(pattern,
+      Cholmod::Common common;
+      common.nmethods             = 1;
+      common.method[0].ordering   = CHOLMOD_NESDIS;
+      common.postorder            = 1;
+      common.supernodal           = CHOLMOD_SUPERNODAL;
+      const auto            graph = lower_triangle(pattern,
                                         unknowns,
                                         positions(unknowns, pattern.n_rows()),
                                         CHOLMOD_PATTERN,
                                         common);
-      const FactorHandle factor(cholmod_analyze(graph.get(), &common),
-                                {&common});
+      const Cholmod::Factor factor(cholmod_analyze(graph.get(), &common),
+                                   {&common});
       if (!factor)
         throw ComputationError(
           "CHOLMOD could not order the stiffness matrix (status " +
@@ -140,13 +143,13 @@ namespace Signorini
 
   struct SparseCholesky::Implementation
   {
-    Common                    common;
+    Cholmod::Common           common;
     const SparsityPattern    *pattern = nullptr;
     std::vector<unsigned int> order;
     unsigned int              n_trailing = 0;
-    SparseHandle              matrix{nullptr, {&common}};
-    FactorHandle              factor{nullptr, {&common}};
-    DenseHandle               workspace{nullptr, {&common}};
+    Cholmod::Sparse           matrix{nullptr, {&common}};
+    Cholmod::Factor           factor{nullptr, {&common}};
+    Cholmod::Dense            workspace{nullptr, {&common}};
 
     // For each entry of the pattern, row by row: its place among the values of
     // `matrix`, or left_out.

@@ -1,5 +1,6 @@
 #include "hardening_table.h"
 
+#include <signorini/as_text.h>
 #include <signorini/input_error.h>
 #include <signorini/named_errors.h>
 #include <signorini/named_list.h>
@@ -20,14 +21,6 @@ namespace Signorini
   namespace
   {
     const std::string name = "Hardening table";
-
-    std::string
-    in_words(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
 
     std::vector<YieldCurve::Entry>
     read_file(const std::string &path)
@@ -95,28 +88,28 @@ namespace Signorini
       throw InputError(name +
                        ": the first plastic strain must be zero, where "
                        "the material begins to flow, found " +
-                       in_words(entries[0].strain) + ".");
+                       as_text(entries[0].strain) + ".");
     for (unsigned int i = 0; i < entries.size(); ++i)
       {
         const auto [strain, stress] = entries[i];
-        const std::string where = " at the plastic strain " + in_words(strain);
+        const std::string where = " at the plastic strain " + as_text(strain);
         if (!(stress > 0.) || !std::isfinite(stress))
           throw InputError(name +
                            ": the yield stress must be greater than "
                            "zero, in Pa, found " +
-                           in_words(stress) + where + ".");
+                           as_text(stress) + where + ".");
         if (i == 0)
           continue;
         if (!(strain > entries[i - 1].strain) || !std::isfinite(strain))
           throw InputError(name +
                            ": the plastic strain must grow from point "
                            "to point, found " +
-                           in_words(strain) + " after " +
-                           in_words(entries[i - 1].strain) + ".");
+                           as_text(strain) + " after " +
+                           as_text(entries[i - 1].strain) + ".");
         if (!(stress >= entries[i - 1].stress))
           throw InputError(name + ": the yield stress must not fall, found " +
-                           in_words(stress) + where + " after " +
-                           in_words(entries[i - 1].stress) +
+                           as_text(stress) + where + " after " +
+                           as_text(entries[i - 1].stress) +
                            ". What softens fails in one layer of elements, and "
                            "the result would depend on the mesh.");
       }

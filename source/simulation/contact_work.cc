@@ -49,7 +49,7 @@ namespace Signorini
 
     // Of all energy that was or is: less is the fluctuation of the scheme from
     // step to step.
-    constexpr double largest_gain = 5e-2;
+    constexpr double largest_returned_gain = 5e-2;
 
     [[noreturn]] void
     throw_gain(const double gain, const double energy)
@@ -116,7 +116,7 @@ namespace Signorini
       std::max(energy, state.energy.kinetic + state.energy.stored) +
       old_state.energy.plastic + old_state.energy.damping +
       old_state.energy.friction + std::abs(old_state.energy.scheme_loss());
-    if (gain > largest_gain * all)
+    if (gain > largest_returned_gain * all)
       throw_gain(gain, all);
   }
 

@@ -8,7 +8,7 @@ namespace Signorini
 {
   namespace
   {
-    volatile std::sig_atomic_t interrupted = 0;
+    volatile std::sig_atomic_t signal_came = 0;
   }
 
 
@@ -17,7 +17,7 @@ namespace Signorini
   extern "C" void
   signorini_handle_signal(const int /*signal_number*/)
   {
-    interrupted              = 1;
+    signal_came              = 1;
     static const char text[] = "\nStopping after this step. Press Ctrl-C again "
                                "to stop at once.\n";
     const auto        ignored = write(STDERR_FILENO, text, sizeof(text) - 1);
@@ -31,7 +31,7 @@ namespace Signorini
   void
   catch_interruptions()
   {
-    interrupted = 0;
+    signal_came = 0;
     std::signal(SIGINT, signorini_handle_signal);
     std::signal(SIGTERM, signorini_handle_signal);
     std::signal(SIGXFSZ, SIG_IGN);
@@ -42,6 +42,6 @@ namespace Signorini
   bool
   is_interrupted()
   {
-    return interrupted != 0;
+    return signal_came != 0;
   }
 } // namespace Signorini

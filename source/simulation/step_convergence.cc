@@ -1,4 +1,5 @@
 // The part of TimeStep that judges an iterate.
+#include <signorini/as_text.h>
 #include <signorini/simulation/time_step.h>
 
 #include <algorithm>
@@ -19,14 +20,6 @@ namespace Signorini
 
     // Of a static step, relative to the bodies: beyond it forces are rounding.
     constexpr double largest_motion = 1e3;
-
-    std::string
-    as_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
 
     double
     largest_change(const InterfaceForces &old_forces,

@@ -12,7 +12,7 @@ namespace Signorini
 
   namespace
   {
-    struct Component
+    struct StressComponent
     {
       std::string  name;
       unsigned int i, j;
@@ -20,13 +20,13 @@ namespace Signorini
 
     // Those that a picture needs; in the plane xz and yz vanish.
     template <int dim>
-    std::vector<Component>
+    std::vector<StressComponent>
     components()
     {
-      std::vector<Component> list = {{"stress_xx", 0, 0},
-                                     {"stress_yy", 1, 1},
-                                     {"stress_zz", 2, 2},
-                                     {"stress_xy", 0, 1}};
+      std::vector<StressComponent> list = {{"stress_xx", 0, 0},
+                                           {"stress_yy", 1, 1},
+                                           {"stress_zz", 2, 2},
+                                           {"stress_xy", 0, 1}};
       if (dim == 3)
         {
           list.push_back({"stress_yz", 1, 2});
@@ -86,7 +86,7 @@ namespace Signorini
   {
     static const std::vector<std::string> list = [] {
       std::vector<std::string> names;
-      for (const Component &component : components<dim>())
+      for (const StressComponent &component : components<dim>())
         names.push_back(component.name);
       for (const char *const name : {"von_mises",
                                      "maximum_shear",
@@ -139,7 +139,7 @@ namespace Signorini
       {
         stress[n] /= n_cells[n];
         plastic_strain[n] /= n_cells[n];
-        for (const Component &component : all_components)
+        for (const StressComponent &component : all_components)
           result[component.name][n] = stress[n][component.i][component.j];
         const auto principal       = eigenvalues(stress[n]);
         result["von_mises"][n]     = von_mises(stress[n]);

@@ -1,3 +1,4 @@
+#include <signorini/as_text.h>
 #include <signorini/input_error.h>
 #include <signorini/named_list.h>
 #include <signorini/time/step_control.h>
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Signorini
 {
@@ -15,18 +15,10 @@ namespace Signorini
   namespace
   {
     // Sizes and times are sums and quotients; this much is rounding.
-    constexpr double rounding = 1e-9;
+    constexpr double rounding_of_size = 1e-9;
 
     // Of an error that falls with the square of the size.
     constexpr double safety = 0.8;
-
-    std::string
-    number(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
 
     std::string
     count(const unsigned int n)
@@ -60,8 +52,9 @@ namespace Signorini
       double size = std::min(2. * memory.wanted_size, control.maximal_size);
       if (memory.error_rate > 0.)
         size = std::min(size, safety / std::sqrt(memory.error_rate));
-      const bool reaches_maximum = size == control.maximal_size &&
-                                   size > (1. + rounding) * memory.wanted_size;
+      const bool reaches_maximum =
+        size == control.maximal_size &&
+        size > (1. + rounding_of_size) * memory.wanted_size;
       return size >= 1.5 * memory.wanted_size || reaches_maximum ?
                size :
                memory.wanted_size;
@@ -79,7 +72,7 @@ namespace Signorini
                                  trial.error / (trial.size * trial.size));
       if (trial.n_iterations > control.easy_iterations || trial.error > 1.)
         next.n_easy_steps = 0;
-      else if (trial.size >= 0.5 * (1. - rounding) * memory.wanted_size)
+      else if (trial.size >= 0.5 * (1. - rounding_of_size) * memory.wanted_size)
         // A step that was much shorter, to meet a time, says nothing.
         ++next.n_easy_steps;
       if (next.n_easy_steps < next.patience)
@@ -88,11 +81,11 @@ namespace Signorini
       const double size = grown_size(control, next);
       if (size == next.wanted_size)
         return verdict;
-      verdict.reason = "steps grow to " + number(size) + " s: converged in " +
+      verdict.reason = "steps grow to " + as_text(size) + " s: converged in " +
                        count(trial.n_iterations);
       if (trial.error > 0.)
         verdict.reason +=
-          ", error " + number(trial.error) + " of the tolerance";
+          ", error " + as_text(trial.error) + " of the tolerance";
       next.wanted_size  = size;
       next.n_easy_steps = 0;
       next.patience     = std::max(2u, next.patience / 2);
@@ -186,15 +179,15 @@ namespace Signorini
     // Beyond it a time and the next one are the same number.
     if (control.minimal_size > 0. && control.minimal_size < 1e-12 * end_time)
       throw InputError(
-        "Time / Minimal step size: found " + number(control.minimal_size) +
-        " s, which is less than 1e-12 of the End time of " + number(end_time) +
+        "Time / Minimal step size: found " + as_text(control.minimal_size) +
+        " s, which is less than 1e-12 of the End time of " + as_text(end_time) +
         " s: times so close cannot be told apart. Choose a "
         "greater one, or 0 for 1/1024 of the Step size.");
     if (control.minimal_size > control.initial_size)
       throw InputError("Time / Minimal step size: found " +
-                       number(control.minimal_size) +
+                       as_text(control.minimal_size) +
                        " s, which is greater than the Step size of " +
-                       number(control.initial_size) +
+                       as_text(control.initial_size) +
                        " s. Choose a smaller one, or 0 for the default.");
     if (control.minimal_size == 0.)
       control.minimal_size = control.initial_size / 1024.;
@@ -213,9 +206,9 @@ namespace Signorini
       control.maximal_size = end_time;
     if (control.maximal_size < control.initial_size)
       throw InputError("Time / Maximal step size: found " +
-                       number(control.maximal_size) +
+                       as_text(control.maximal_size) +
                        " s, which is less than the Step size of " +
-                       number(control.initial_size) +
+                       as_text(control.initial_size) +
                        " s. Choose a greater one, or 0 for no limit.");
     return control;
   }
@@ -233,11 +226,12 @@ namespace Signorini
     const double wanted = std::min(memory.wanted_size, control.maximal_size);
     const double size =
       control.automatic ?
-        left / std::max(1., std::ceil(left / wanted - rounding)) :
+        left / std::max(1., std::ceil(left / wanted - rounding_of_size)) :
         std::min(2. * memory.last_size, left);
     const double regular =
       control.automatic ? memory.last_size : control.initial_size;
-    return std::abs(size - regular) <= rounding * regular ? regular : size;
+    return std::abs(size - regular) <= rounding_of_size * regular ? regular :
+                                                                    size;
   }
 
 
@@ -260,14 +254,14 @@ namespace Signorini
         return verdict;
       }
     if (trial.error > 1. && !cut_was_useless(trial) &&
-        trial.size > (1. + rounding) * control.minimal_size)
+        trial.size > (1. + rounding_of_size) * control.minimal_size)
       {
         const double factor = std::max(0.1, safety / std::sqrt(trial.error));
         const double size = std::max(control.minimal_size, factor * trial.size);
         return refuse(memory,
                       size,
-                      "error " + number(trial.error) +
-                        " of the tolerance; cut to " + number(size) + " s");
+                      "error " + as_text(trial.error) +
+                        " of the tolerance; cut to " + as_text(size) + " s");
       }
     return accept(control, memory, trial);
   }

@@ -8,7 +8,7 @@ namespace Signorini
   namespace
   {
     // Times of steps are sums; this much is rounding.
-    constexpr double rounding = 1e-9;
+    constexpr double rounding_of_time = 1e-9;
 
     // A last step that would be tiny is added to the one before.
     unsigned int
@@ -57,7 +57,7 @@ namespace Signorini
   bool
   StepPlan::is_met(const double time, const double target)
   {
-    return time >= target * (1. - rounding);
+    return time >= target * (1. - rounding_of_time);
   }
 
 
@@ -73,9 +73,9 @@ namespace Signorini
     if (next != times_.end())
       target = std::min(target, *next);
     if (interval_ > 0.)
-      target =
-        std::min(target,
-                 (std::floor(time / interval_ + rounding) + 1.) * interval_);
+      target = std::min(target,
+                        (std::floor(time / interval_ + rounding_of_time) + 1.) *
+                          interval_);
     return target;
   }
 

@@ -1,3 +1,4 @@
+#include <signorini/as_text.h>
 #include <signorini/input_error.h>
 #include <signorini/time/time_parameters.h>
 
@@ -5,7 +6,6 @@
 
 #include <functional>
 #include <map>
-#include <sstream>
 
 namespace Signorini
 {
@@ -89,14 +89,6 @@ namespace Signorini
           "the scheme energy momentum needs that of every node. Set Contact "
           "mass = consistent, or Scheme = Chung-Hulbert.");
       return name;
-    }
-
-    std::string
-    number(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
     }
 
     FinalRelaxation
@@ -288,16 +280,16 @@ namespace Signorini
     if (parameters.end_time <= 0.)
       throw InputError("Time / End time: must be greater than zero, in s, "
                        "found " +
-                       number(parameters.end_time) + ".");
+                       as_text(parameters.end_time) + ".");
     if (parameters.step_size <= 0.)
       throw InputError("Time / Step size: must be greater than zero, in s, "
                        "found " +
-                       number(parameters.step_size) + ".");
+                       as_text(parameters.step_size) + ".");
     if (parameters.step_size > parameters.end_time * (1. + 1e-12))
       throw InputError("Time / Step size: found " +
-                       number(parameters.step_size) +
+                       as_text(parameters.step_size) +
                        " s, which is greater than the End time of " +
-                       number(parameters.end_time) +
+                       as_text(parameters.end_time) +
                        " s. Choose a step that is not longer than the run.");
     parameters.step_control =
       StepControl::parse(parameters.end_time, parameters.dynamic, prm);
@@ -306,10 +298,10 @@ namespace Signorini
     const double n_steps    = parameters.end_time / parameters.step_size;
     if (n_steps > most_steps * (1. + 1e-9))
       throw InputError("Time / Step size: found " +
-                       number(parameters.step_size) + " s, which makes " +
-                       number(n_steps) + " steps to the End time of " +
-                       number(parameters.end_time) + " s; allowed are " +
-                       number(most_steps) + ". Choose a longer step.");
+                       as_text(parameters.step_size) + " s, which makes " +
+                       as_text(n_steps) + " steps to the End time of " +
+                       as_text(parameters.end_time) + " s; allowed are " +
+                       as_text(most_steps) + ". Choose a longer step.");
     prm.leave_subsection();
     return parameters;
   }

@@ -9,8 +9,8 @@ namespace Signorini
   namespace
   {
     // Of entries of the order of one: no pivot, and a tie.
-    constexpr double smallest_pivot = 1e-11;
-    constexpr double tie            = 1e-12;
+    constexpr double no_pivot = 1e-11;
+    constexpr double tie      = 1e-12;
 
     // Rows of w - M z - z_0 cover = q in terms of the basic variables.
     // Variables: w_i is i, z_i is n + i, the artificial z_0 is 2 n; the last
@@ -99,7 +99,7 @@ namespace Signorini
       {
         int row = -1;
         for (unsigned int i = 0; i < n; ++i)
-          if (table(i, column) > smallest_pivot)
+          if (table(i, column) > no_pivot)
             {
               // z_0 leaves whenever it may.
               if (row >= 0)

@@ -9,7 +9,7 @@ namespace Signorini
   namespace
   {
     // More than rounding asks for, in case the matrix had to be regularised.
-    constexpr unsigned int most_corrections = 6;
+    constexpr unsigned int most_solves = 6;
 
     /** B of the projection of t = tau + v / w on the disc of radius f, and the
      * force f: with n = t / |t| and tau = f n,
@@ -213,7 +213,7 @@ namespace Signorini
     std::vector<double> point = base, left = base_residual, z(n);
     double              last = std::numeric_limits<double>::max();
     const unsigned int  n_steps =
-      !linear ? 1 : (factor.is_regularised() ? most_corrections : 2);
+      !linear ? 1 : (factor.is_regularised() ? most_solves : 2);
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         double size = 0.;

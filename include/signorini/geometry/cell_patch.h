@@ -1,7 +1,8 @@
 #ifndef signorini_geometry_cell_patch_h
 #define signorini_geometry_cell_patch_h
 
-#include <deal.II/base/point.h>
+#include <signorini/geometry/polyline.h>
+
 #include <deal.II/grid/tria_description.h>
 
 #include <functional>
@@ -38,10 +39,6 @@ namespace Signorini
   divide_line(const unsigned int      n,
               const dealii::Point<2> &begin,
               const dealii::Point<2> &end);
-
-  /** The points with -x for x, in the same order. */
-  std::vector<dealii::Point<2>>
-  mirrored(std::vector<dealii::Point<2>> points);
 
   CellPatch
   mirrored(const CellPatch &patch);

@@ -50,6 +50,14 @@ namespace Signorini
   Polyline
   reversed(const Polyline &line);
 
+  /** The point with -x for x. */
+  dealii::Point<2>
+  mirrored(const dealii::Point<2> &point);
+
+  /** Its points with -x for x, in the same order. */
+  Polyline
+  mirrored(Polyline line);
+
   /** Two lines, the second of which begins where the first one ends. */
   Polyline
   joined(const Polyline &first, const Polyline &second);
