@@ -11,9 +11,9 @@
 #include "friction_reference.h"
 #include "temporary_folder.h"
 
-using namespace Signorini;
-
 BOOST_AUTO_TEST_SUITE(algorithm_comparison)
+
+using namespace Signorini;
 
 namespace
 {

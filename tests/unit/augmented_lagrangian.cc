@@ -11,9 +11,9 @@
 
 #include "friction_reference.h"
 
-using namespace Signorini;
-
 BOOST_AUTO_TEST_SUITE(augmented_lagrangian)
+
+using namespace Signorini;
 
 namespace
 {

@@ -8,10 +8,10 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(bound_constrained_qp)
+
 using namespace Signorini;
 using dealii::FullMatrix;
-
-BOOST_AUTO_TEST_SUITE(bound_constrained_qp)
 
 namespace
 {

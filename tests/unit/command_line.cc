@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(command_line)
+
 namespace
 {
   using Signorini::CommandLine;
@@ -32,7 +34,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(command_line)
+
 
 BOOST_AUTO_TEST_CASE(defaults)
 {

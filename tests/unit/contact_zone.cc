@@ -7,6 +7,8 @@
 
 #include "contact_setup.h"
 
+BOOST_AUTO_TEST_SUITE(contact_zone)
+
 using namespace Signorini;
 
 namespace
@@ -25,7 +27,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(contact_zone)
+
 
 // The second and the third node are closed.
 BOOST_AUTO_TEST_CASE(width_by_the_share_of_closed_nodes)

@@ -3,13 +3,10 @@
 
 #include <string>
 
-namespace Signorini
+inline bool
+contains(const std::string &text, const std::string &part)
 {
-  inline bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
-  }
-} // namespace Signorini
+  return text.find(part) != std::string::npos;
+}
 
 #endif

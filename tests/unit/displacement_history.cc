@@ -7,6 +7,8 @@
 #include "contains.h"
 #include "stored_run.h"
 
+BOOST_AUTO_TEST_SUITE(displacement_history)
+
 using namespace dealii;
 using namespace Signorini;
 
@@ -168,7 +170,7 @@ namespace
   const auto cubic  = TimeInterpolation::cubic;
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(displacement_history)
+
 
 BOOST_AUTO_TEST_CASE(polynomials)
 {

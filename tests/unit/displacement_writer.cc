@@ -9,6 +9,8 @@
 #include "contains.h"
 #include "stored_run.h"
 
+BOOST_AUTO_TEST_SUITE(displacement_writer)
+
 using namespace dealii;
 using namespace Signorini;
 
@@ -93,7 +95,7 @@ namespace
     "0,b,b_00000_mesh.displacement,b_00000.displacement\n";
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(displacement_writer)
+
 
 BOOST_AUTO_TEST_CASE(files)
 {

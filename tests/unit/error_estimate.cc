@@ -7,6 +7,8 @@
 
 #include "test_body.h"
 
+BOOST_AUTO_TEST_SUITE(error_estimate)
+
 using namespace Signorini;
 
 namespace
@@ -41,7 +43,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(error_estimate)
+
 
 // M = E (1 - nu)/((1 + nu)(1 - 2 nu)) = 12 Pa. Squares of size h that follow
 // u = x^2: at each vertical edge the slope jumps by 2 h.

@@ -7,6 +7,8 @@
 
 #include "contains.h"
 
+BOOST_AUTO_TEST_SUITE(expected_results, *boost::unit_test::tolerance(1e-14))
+
 using namespace Signorini;
 
 namespace
@@ -81,7 +83,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(expected_results, *boost::unit_test::tolerance(1e-14))
+
 
 BOOST_AUTO_TEST_CASE(functions_of_columns)
 {

@@ -15,6 +15,8 @@
 #include "temporary_folder.h"
 #include "vtu_reader.h"
 
+BOOST_AUTO_TEST_SUITE(field_writer)
+
 using namespace dealii;
 using namespace Signorini;
 
@@ -159,7 +161,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(field_writer)
+
 
 BOOST_AUTO_TEST_CASE(linear_elements)
 {

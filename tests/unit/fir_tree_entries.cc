@@ -9,10 +9,10 @@
 #include "fir_tree_sets.h"
 #include "random_sets.h"
 
+BOOST_AUTO_TEST_SUITE(fir_tree_entries)
+
 using Signorini::FirTreeJoint;
 using Signorini::Mesh;
-
-BOOST_AUTO_TEST_SUITE(fir_tree_entries)
 
 BOOST_AUTO_TEST_CASE(numbers_of_cells)
 {

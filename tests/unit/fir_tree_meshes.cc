@@ -8,6 +8,8 @@
 #include "fir_tree_sets.h"
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(fir_tree_meshes)
+
 using dealii::Point;
 using dealii::Tensor;
 using Signorini::FirTreeJoint;
@@ -104,7 +106,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(fir_tree_meshes)
+
 
 BOOST_AUTO_TEST_CASE(blade_root)
 {

@@ -8,6 +8,8 @@
 
 #include "fir_tree_sets.h"
 
+BOOST_AUTO_TEST_SUITE(fir_tree_profile)
+
 using dealii::Point;
 using dealii::Tensor;
 using Signorini::blade_profile;
@@ -189,7 +191,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(fir_tree_profile)
+
 
 BOOST_AUTO_TEST_CASE(default_joint)
 {

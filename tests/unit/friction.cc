@@ -14,11 +14,11 @@
 
 #include "friction_reference.h"
 
+BOOST_AUTO_TEST_SUITE(friction)
+
 // What holds for every algorithm that obeys Coulomb's law.
 using namespace Signorini;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(friction)
 
 namespace
 {

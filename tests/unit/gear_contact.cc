@@ -4,6 +4,8 @@
 
 #include "gear_lines.h"
 
+BOOST_AUTO_TEST_SUITE(gear_contact)
+
 using dealii::Point;
 using dealii::Tensor;
 using GearReference::Gear;
@@ -28,7 +30,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(gear_contact)
+
 
 // The law of gearing: over the whole path of contact of a pair, pinion and rack
 // touch where the line of action through the pitch point says, and nowhere

@@ -4,6 +4,8 @@
 
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(gear_entries)
+
 namespace
 {
   struct Setting
@@ -13,7 +15,7 @@ namespace
   };
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(gear_entries)
+
 
 BOOST_AUTO_TEST_CASE(wrong_entries)
 {

@@ -3,6 +3,8 @@
 #include "gear_errors.h"
 #include "random_sets.h"
 
+BOOST_AUTO_TEST_SUITE(gear_meshes)
+
 using dealii::Point;
 using dealii::Tensor;
 using GearReference::error_of_pinion;
@@ -141,7 +143,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(gear_meshes)
+
 
 BOOST_AUTO_TEST_CASE(names)
 {

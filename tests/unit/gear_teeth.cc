@@ -4,6 +4,8 @@
 
 #include "gear_reference.h"
 
+BOOST_AUTO_TEST_SUITE(gear_teeth)
+
 using dealii::Point;
 using GearReference::Gear;
 using GearReference::pi;
@@ -28,7 +30,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(gear_teeth)
+
 
 BOOST_AUTO_TEST_CASE(involute)
 {

@@ -13,6 +13,8 @@
 
 #include "temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(history_writer)
+
 using namespace Signorini;
 
 namespace
@@ -51,7 +53,7 @@ namespace
   };
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(history_writer)
+
 
 BOOST_AUTO_TEST_CASE(columns_and_rows)
 {

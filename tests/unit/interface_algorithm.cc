@@ -7,9 +7,9 @@
 
 #include "interface_reference.h"
 
-using namespace Signorini;
-
 BOOST_AUTO_TEST_SUITE(interface_algorithm)
+
+using namespace Signorini;
 
 BOOST_AUTO_TEST_CASE(chosen_by_name)
 {

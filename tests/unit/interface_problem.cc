@@ -8,11 +8,11 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(interface_problem)
+
 using namespace Signorini;
 using dealii::FullMatrix;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(interface_problem)
 
 namespace
 {

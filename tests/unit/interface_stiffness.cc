@@ -7,11 +7,11 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(interface_stiffness)
+
 using namespace Signorini;
 using dealii::FullMatrix;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(interface_stiffness)
 
 namespace
 {

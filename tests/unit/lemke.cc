@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(lemke)
+
 using namespace Signorini;
 using dealii::FullMatrix;
-
-BOOST_AUTO_TEST_SUITE(lemke)
 
 namespace
 {

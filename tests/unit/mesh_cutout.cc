@@ -4,6 +4,8 @@
 
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_cutout)
+
 using dealii::Point;
 using dealii::Tensor;
 using Signorini::Mesh;
@@ -154,7 +156,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(mesh_cutout)
+
 
 BOOST_AUTO_TEST_CASE(part_of_a_square)
 {

@@ -6,6 +6,8 @@
 #include "mesh_measures.h"
 #include "temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_file)
+
 using Signorini::Mesh;
 
 namespace
@@ -73,7 +75,7 @@ namespace
 
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(mesh_file)
+
 
 BOOST_AUTO_TEST_CASE(gmsh_plate)
 {

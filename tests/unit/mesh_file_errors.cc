@@ -5,6 +5,8 @@
 #include "mesh_measures.h"
 #include "temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_file_errors)
+
 namespace
 {
   const std::string folder =
@@ -57,7 +59,7 @@ namespace
   };
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(mesh_file_errors)
+
 
 BOOST_AUTO_TEST_CASE(wrong_files)
 {

@@ -4,6 +4,8 @@
 
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_generator)
+
 using dealii::Point;
 using dealii::Tensor;
 using Signorini::Mesh;
@@ -14,7 +16,7 @@ namespace
 
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(mesh_generator)
+
 
 BOOST_AUTO_TEST_CASE(rectangle)
 {

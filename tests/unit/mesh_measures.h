@@ -17,6 +17,8 @@
 #include <set>
 #include <string>
 
+#include "contains.h"
+
 /** The mesh that a body's section with these lines describes. */
 template <int dim>
 Signorini::Mesh<dim>
@@ -46,12 +48,6 @@ error_from(const std::string &lines,
       return error.what();
     }
   return "";
-}
-
-inline bool
-contains(const std::string &text, const std::string &part)
-{
-  return text.find(part) != std::string::npos;
 }
 
 /** Area or volume of the cells with straight edges. */

@@ -7,6 +7,8 @@
 
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(mesh_refinement)
+
 using dealii::Point;
 using Signorini::Mesh;
 
@@ -53,7 +55,7 @@ namespace
   using Census = std::vector<unsigned int>;
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(mesh_refinement)
+
 
 BOOST_AUTO_TEST_CASE(everywhere)
 {

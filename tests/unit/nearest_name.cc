@@ -2,9 +2,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using Signorini::did_you_mean;
-
 BOOST_AUTO_TEST_SUITE(nearest_name)
+
+using Signorini::did_you_mean;
 
 BOOST_AUTO_TEST_CASE(misspelt_names)
 {

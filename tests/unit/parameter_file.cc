@@ -10,32 +10,32 @@
 
 #include "temporary_folder.h"
 
+/** Works in an empty folder of its own and returns afterwards. */
+struct EmptyFolder
+{
+  EmptyFolder()
+  {
+    std::filesystem::create_directories(folder.path / "prm");
+    std::filesystem::current_path(folder.path);
+  }
+
+  ~EmptyFolder()
+  {
+    std::filesystem::current_path(previous);
+  }
+
+  const std::filesystem::path previous = std::filesystem::current_path();
+  const TemporaryFolder       folder;
+};
+
+BOOST_FIXTURE_TEST_SUITE(parameter_file, EmptyFolder)
+
+using namespace dealii;
+using namespace Signorini;
+
 // Messages are compared in full: they are what the user sees.
 namespace
 {
-  using namespace dealii;
-  using namespace Signorini;
-
-  /** Works in an empty folder of its own and returns afterwards. */
-  struct EmptyFolder
-  {
-    EmptyFolder()
-    {
-      std::filesystem::create_directories(folder.path / "prm");
-      std::filesystem::current_path(folder.path);
-    }
-
-    ~EmptyFolder()
-    {
-      std::filesystem::current_path(previous);
-    }
-
-    const std::filesystem::path previous = std::filesystem::current_path();
-    const TemporaryFolder       folder;
-  };
-
-
-
   void
   declare(ParameterHandler &prm)
   {
@@ -105,7 +105,7 @@ namespace
   const std::vector<std::string> material = {"Body beam", "Material"};
 } // namespace
 
-BOOST_FIXTURE_TEST_SUITE(parameter_file, EmptyFolder)
+
 
 BOOST_AUTO_TEST_CASE(values_reach_the_handler)
 {

@@ -4,6 +4,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+BOOST_AUTO_TEST_SUITE(pattern_in_words)
+
 // The descriptions come from deal.II's own patterns, so that a change of its
 // wording is noticed.
 namespace
@@ -17,7 +19,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(pattern_in_words)
+
 
 BOOST_AUTO_TEST_CASE(numbers)
 {

@@ -8,10 +8,10 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(penalty)
+
 using namespace Signorini;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(penalty)
 
 namespace
 {

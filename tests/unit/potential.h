@@ -9,10 +9,6 @@
 
 namespace Signorini
 {
-  // Second derivatives by differentiating the type twice.
-  using Single = Sacado::Fad::SFad<double, 9>;
-  using Double = Sacado::Fad::SFad<Single, 9>;
-
   template <typename Number>
   using Square = std::array<std::array<Number, 3>, 3>;
 
@@ -164,6 +160,10 @@ namespace Signorini
   differentiate(const Potential            &potential,
                 const dealii::Tensor<2, 3> &gradient)
   {
+    // Second derivatives by differentiating the type twice.
+    using Single = Sacado::Fad::SFad<double, 9>;
+    using Double = Sacado::Fad::SFad<Single, 9>;
+
     Square<Double> F;
     for (unsigned int i = 0; i < 9; ++i)
       F[i / 3][i % 3] =

@@ -5,6 +5,8 @@
 
 #include "gear_reference.h"
 
+BOOST_AUTO_TEST_SUITE(profile_curve)
+
 using dealii::Point;
 using GearReference::Gear;
 using GearReference::pi;
@@ -47,7 +49,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(profile_curve)
+
 
 BOOST_AUTO_TEST_CASE(curves)
 {

@@ -2,9 +2,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace Signorini;
-
 BOOST_AUTO_TEST_SUITE(progress)
+
+using namespace Signorini;
 
 BOOST_AUTO_TEST_CASE(durations)
 {

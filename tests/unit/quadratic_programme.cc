@@ -9,10 +9,10 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(quadratic_programme)
+
 using namespace Signorini;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(quadratic_programme)
 
 namespace
 {

@@ -2,6 +2,8 @@
 
 #include "mesh_measures.h"
 
+BOOST_AUTO_TEST_SUITE(round_meshes)
+
 using dealii::Point;
 using dealii::Tensor;
 using Signorini::Mesh;
@@ -84,7 +86,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(round_meshes)
+
 
 BOOST_AUTO_TEST_CASE(disc)
 {

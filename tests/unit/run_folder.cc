@@ -7,12 +7,12 @@
 
 #include "temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(run_folder)
+
 using Signorini::find_run_folder;
 using Signorini::InputError;
 using Signorini::result_file;
 using Signorini::RunFolder;
-
-BOOST_AUTO_TEST_SUITE(run_folder)
 
 namespace
 {

@@ -9,6 +9,8 @@
 
 #include "temporary_folder.h"
 
+BOOST_AUTO_TEST_SUITE(run_log)
+
 using Signorini::Log;
 
 namespace
@@ -28,7 +30,7 @@ namespace
   constexpr double never = 1e6;
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(run_log)
+
 
 BOOST_AUTO_TEST_CASE(lines_go_to_both_and_at_once)
 {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(semidefinite_cholesky)
+
 using namespace Signorini;
 using dealii::FullMatrix;
-
-BOOST_AUTO_TEST_SUITE(semidefinite_cholesky)
 
 namespace
 {

@@ -11,10 +11,10 @@
 
 #include "friction_reference.h"
 
+BOOST_AUTO_TEST_SUITE(semismooth_newton)
+
 using namespace Signorini;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(semismooth_newton)
 
 BOOST_AUTO_TEST_CASE(three_dimensions)
 {

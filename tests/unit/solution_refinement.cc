@@ -5,11 +5,11 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(solution_refinement)
+
 using namespace Signorini;
 using dealii::FullMatrix;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(solution_refinement)
 
 namespace
 {

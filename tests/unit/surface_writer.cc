@@ -5,6 +5,8 @@
 #include "temporary_folder.h"
 #include "vtu_reader.h"
 
+BOOST_AUTO_TEST_SUITE(surface_writer)
+
 using namespace dealii;
 using namespace Signorini;
 
@@ -39,7 +41,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(surface_writer)
+
 
 // All numbers are exact in single precision.
 BOOST_AUTO_TEST_CASE(lines_in_the_plane)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(time_series, *boost::unit_test::tolerance(1e-14))
+
 using namespace Signorini;
 
 namespace
@@ -17,7 +19,7 @@ namespace
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(time_series, *boost::unit_test::tolerance(1e-14))
+
 
 BOOST_AUTO_TEST_CASE(extremes)
 {

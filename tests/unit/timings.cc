@@ -5,6 +5,8 @@
 #include <chrono>
 #include <thread>
 
+BOOST_AUTO_TEST_SUITE(timings)
+
 using Signorini::Timings;
 
 namespace
@@ -16,7 +18,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(timings)
+
 
 // Sleeping takes at least its time; on a busy machine longer. So bounds are
 // from below, and from above by the total.

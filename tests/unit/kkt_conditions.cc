@@ -7,11 +7,11 @@
 
 #include "interface_reference.h"
 
+BOOST_AUTO_TEST_SUITE(kkt_conditions)
+
 using namespace Signorini;
 using dealii::FullMatrix;
 using dealii::Vector;
-
-BOOST_AUTO_TEST_SUITE(kkt_residual)
 
 namespace
 {
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(exact_solution)
       {
         const Example     exact = example(k, a);
         const KKTResidual residual =
-          Signorini::kkt_residual(exact.problem, exact.solution);
+          kkt_residual(exact.problem, exact.solution);
         BOOST_TEST(residual.norm() <= 1e-15);
         BOOST_TEST(residual.force_scale / (11. * k * a) == 1.,
                    boost::test_tools::tolerance(1e-14));
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(each_violation_is_noticed)
           Example wrong = example(k, a);
           change(wrong);
           const KKTResidual residual =
-            Signorini::kkt_residual(wrong.problem, wrong.solution);
+            kkt_residual(wrong.problem, wrong.solution);
           BOOST_TEST(residual.norm() == expected,
                      boost::test_tools::tolerance(1e-12));
           BOOST_TEST((residual.*part) == expected_part,
@@ -138,8 +138,7 @@ BOOST_AUTO_TEST_CASE(violations_of_friction)
     solution.displacement(1) = -a;
     solution.forces          = InterfaceForces(std::vector<double>{3. * k * a});
     solution.forces.tangential[0][0] = tau * k * a;
-    return Signorini::kkt_residual(InterfaceReference::make_problem(data),
-                                   solution);
+    return kkt_residual(InterfaceReference::make_problem(data), solution);
   };
   // F = 6 k a and l = 2 a.
   for (const double k : {1., 7.3e11})
@@ -180,20 +179,19 @@ BOOST_AUTO_TEST_CASE(zero_problems)
   InterfaceSolution      nothing;
   nothing.displacement.reinit(2);
   nothing.forces.normal = {0.};
-  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() == 0.);
+  BOOST_TEST(kkt_residual(at_rest, nothing).norm() == 0.);
 
   // 2. Penetrated from the start, and left so.
   data.contacts[0].gap          = -1e-6;
   const InterfaceProblem inside = InterfaceReference::make_problem(data);
-  BOOST_TEST(Signorini::kkt_residual(inside, nothing).norm() == 1.,
+  BOOST_TEST(kkt_residual(inside, nothing).norm() == 1.,
              boost::test_tools::tolerance(1e-14));
 
   // 3. No contacts.
   data.contacts.clear();
   nothing.forces.normal.clear();
   BOOST_TEST(
-    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
-      .norm() == 0.);
+    kkt_residual(InterfaceReference::make_problem(data), nothing).norm() == 0.);
 }
 
 
@@ -211,11 +209,11 @@ BOOST_AUTO_TEST_CASE(nothing_touches_and_nothing_moves)
   nothing.displacement.reinit(2);
   nothing.forces     = InterfaceForces(1);
   const auto at_rest = InterfaceReference::make_problem(data);
-  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() == 0.);
+  BOOST_TEST(kkt_residual(at_rest, nothing).norm() == 0.);
 
   // Friction without pressure is still wrong.
   nothing.forces.tangential[0][0] = 1.;
-  BOOST_TEST(Signorini::kkt_residual(at_rest, nothing).norm() >= 1.);
+  BOOST_TEST(kkt_residual(at_rest, nothing).norm() >= 1.);
 }
 
 
@@ -231,16 +229,14 @@ BOOST_AUTO_TEST_CASE(rounding_is_no_violation)
   nothing.displacement.reinit(1);
   nothing.forces = InterfaceForces(1);
   BOOST_TEST(
-    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
-      .norm() > 0.99);
+    kkt_residual(InterfaceReference::make_problem(data), nothing).norm() >
+    0.99);
   data.contacts[0].rounding = 1e-16;
   BOOST_TEST(
-    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
-      .norm() == 0.);
+    kkt_residual(InterfaceReference::make_problem(data), nothing).norm() == 0.);
   data.contacts[0].gap = -5e-16;
   BOOST_TEST(
-    Signorini::kkt_residual(InterfaceReference::make_problem(data), nothing)
-      .norm() > 0.5);
+    kkt_residual(InterfaceReference::make_problem(data), nothing).norm() > 0.5);
 }
 
 
@@ -259,8 +255,7 @@ BOOST_AUTO_TEST_CASE(not_a_number)
         broken.problem.set_gap(1, nan);
       else
         broken.problem.set_gap(1, -std::numeric_limits<double>::infinity());
-      const double norm =
-        Signorini::kkt_residual(broken.problem, broken.solution).norm();
+      const double norm = kkt_residual(broken.problem, broken.solution).norm();
       BOOST_TEST(norm == std::numeric_limits<double>::infinity());
     }
 }
