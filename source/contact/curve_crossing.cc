@@ -30,14 +30,14 @@ namespace Signorini
     }
 
     // F of one segment, with its coefficients at both ends of the step.
-    struct Patch
+    struct SegmentMotion
     {
       BezierSegment start, end;
 
-      Patch(const BezierSegment &first,
-            const BezierSegment &last,
-            const Point<2>      &x,
-            const Point<2>      &X)
+      SegmentMotion(const BezierSegment &first,
+                    const BezierSegment &last,
+                    const Point<2>      &x,
+                    const Point<2>      &X)
         : start(first)
         , end(last)
       {
@@ -119,14 +119,17 @@ namespace Signorini
     // Newton's method from the middle of a cell to a root in it. One beside it
     // belongs to another cell, and must not hide the one of this cell.
     bool
-    find_root(const Patch &patch, const Cell &cell, double &xi, double &t)
+    find_root(const SegmentMotion &motion,
+              const Cell          &cell,
+              double              &xi,
+              double              &t)
     {
       xi = cell.xi + 0.5 * cell.xi_size;
       t  = cell.t + 0.5 * cell.t_size;
       for (unsigned int step = 0; step < 12; ++step)
         {
-          const Tensor<1, 2> f = patch.value(xi, t);
-          const Tensor<1, 2> a = patch.slope(xi, t), b = patch.rate(xi);
+          const Tensor<1, 2> f = motion.value(xi, t);
+          const Tensor<1, 2> a = motion.slope(xi, t), b = motion.rate(xi);
           const double       determinant = a[0] * b[1] - a[1] * b[0];
           if (std::abs(determinant) <= 1e-14 * a.norm() * b.norm())
             return false;
@@ -147,15 +150,15 @@ namespace Signorini
     }
 
     void
-    search(const Patch             &patch,
+    search(const SegmentMotion     &motion,
            const unsigned int       segment,
            std::optional<Crossing> &first)
     {
       double scale = 0.;
-      for (const auto *side : {&patch.start, &patch.end})
+      for (const auto *side : {&motion.start, &motion.end})
         for (const auto &point : side->control)
           scale = std::max(scale, point.norm());
-      std::vector<Cell> cells   = {{patch.start, patch.end, 0., 0., 1., 1.}};
+      std::vector<Cell> cells   = {{motion.start, motion.end, 0., 0., 1., 1.}};
       unsigned int      visited = 0;
       while (!cells.empty() && ++visited < most_cells)
         {
@@ -167,11 +170,12 @@ namespace Signorini
           double     xi = 0., t = 0.;
           const bool is_small =
             std::max(cell.xi_size, cell.t_size) < newton_size;
-          if (is_small && find_root(patch, cell, xi, t))
+          if (is_small && find_root(motion, cell, xi, t))
             {
-              const Tensor<1, 2> normal = normal_of_tangent(patch.slope(xi, t));
+              const Tensor<1, 2> normal =
+                normal_of_tangent(motion.slope(xi, t));
               // F is the curve seen from the point: it moves outwards.
-              if (patch.rate(xi) * normal > 0. &&
+              if (motion.rate(xi) * normal > 0. &&
                   (!first || t < first->fraction))
                 first = Crossing{std::clamp(t, 0., 1.),
                                  {segment, std::clamp(xi, 0., 1.)}};
@@ -216,7 +220,9 @@ namespace Signorini
     tree_.find(lower, upper, near);
     std::optional<Crossing> first;
     for (const unsigned int s : near)
-      search(Patch(start_->segment(s), end_->segment(s), start, end), s, first);
+      search(SegmentMotion(start_->segment(s), end_->segment(s), start, end),
+             s,
+             first);
     return first;
   }
 } // namespace Signorini
