@@ -117,8 +117,9 @@ namespace Signorini
 
 
 
-  // Where cells go to and fro between elastic and plastic, so does the residual,
-  // without becoming smaller; going half the way, and less, ends that.
+  // Where cells go to and fro between elastic and plastic, so does the
+  // residual, without becoming smaller; going half the way, and less, ends
+  // that.
   template <int dim>
   double
   TimeStep<dim>::first_share() const
