@@ -1,9 +1,9 @@
-#include <signorini/simulation/command_line.h>
-#include <signorini/simulation/error_report.h>
-#include <signorini/simulation/interruption.h>
-#include <signorini/simulation/platform.h>
-#include <signorini/simulation/run.h>
-#include <signorini/simulation/threads.h>
+#include <signorini/run/command_line.h>
+#include <signorini/run/error_report.h>
+#include <signorini/run/interruption.h>
+#include <signorini/run/platform.h>
+#include <signorini/run/run.h>
+#include <signorini/run/threads.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>

@@ -33,23 +33,26 @@ check() {
   done < <(grep -rE '^ *# *include' "source/$room" "include/signorini/$room")
 }
 
-check time '-' "$elements"
-check geometry '-' 'deal\.II/(dofs|lac|matrix_free|meshworker)/'
-check material '-' "$elements|$solvers"
-check variational_inequality '-' "$elements|$solvers"
-check linear_algebra 'variational_inequality/interface_stiffness\.h' 'deal\.II/(fe|grid|hp|meshworker)/'
-check solid '(geometry|material|time|linear_algebra)/' 'cholmod'
-check contact '(geometry|solid)/|variational_inequality/interface_problem\.h' "$solvers"
-check output '(geometry|solid|contact|time)/' "$solvers"
-check simulation '[a-z_]+/' "$solvers|deal\.II/(fe|meshworker|matrix_free)/"
+check input '-' "$elements|$solvers"
+check time 'input/' "$elements"
+check curves 'input/' "$elements|$solvers|deal\.II/grid/"
+check geometry 'input/' 'deal\.II/(dofs|lac|matrix_free|meshworker)/'
+check material 'input/' "$elements|$solvers"
+check variational_inequality 'input/' "$elements|$solvers"
+check linear_algebra 'input/|variational_inequality/interface_stiffness\.h' 'deal\.II/(fe|grid|hp|meshworker)/'
+check solid '(input|geometry|material|time|linear_algebra)/' 'cholmod'
+check contact '(input|curves|geometry|solid)/|variational_inequality/interface_problem\.h' "$solvers"
+check output '(input|geometry|solid|contact|time)/' "$solvers"
+check dynamics '(input|time|linear_algebra|variational_inequality|solid|contact|output)/' "$solvers|deal\.II/(fe|meshworker|matrix_free)/"
+check run '[a-z_]+/|version\.h' "$solvers|deal\.II/(fe|meshworker|matrix_free)/"
 
 while IFS= read -r line; do
-  grep -qE '<(signorini/(simulation/|input_error\.h)|deal\.II/base/|[a-z_]+>)' <<<"$line" ||
+  grep -qE '<(signorini/(run/|input/input_error\.h)|deal\.II/base/|[a-z_]+>)' <<<"$line" ||
     fail "source/main.cc: $line is not for the top floor."
 done < <(grep -E '^ *# *include' source/main.cc)
 
 # A file that no list names would be neither compiled nor tested.
-for file in source/*/*.cc source/*.cc; do
+for file in source/*/*.cc source/*/*/*.cc source/*.cc; do
   name=$(basename "$file")
   [ "$file" = source/main.cc ] || grep -qrE "(^|[ /])$name( |\$|\))" source --include=CMakeLists.txt ||
     fail "$file: is in no CMakeLists.txt."

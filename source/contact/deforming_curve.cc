@@ -1,8 +1,8 @@
-#include <signorini/contact/corner_normals.h>
-#include <signorini/contact/curve_crossing.h>
-#include <signorini/contact/curve_search.h>
 #include <signorini/contact/deforming_curve.h>
-#include <signorini/contact/gap_derivatives.h>
+#include <signorini/curves/corner_normals.h>
+#include <signorini/curves/curve_crossing.h>
+#include <signorini/curves/curve_search.h>
+#include <signorini/curves/gap_derivatives.h>
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include <signorini/contact/facet_stiffness.h>
 #include <signorini/contact/facet_target.h>
-#include <signorini/contact/moving_triangle.h>
+#include <signorini/curves/moving_triangle.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

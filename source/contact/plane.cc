@@ -1,6 +1,6 @@
 #include <signorini/contact/plane.h>
-#include <signorini/input_error.h>
-#include <signorini/named_list.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_list.h>
 
 #include <deal.II/base/parameter_handler.h>
 

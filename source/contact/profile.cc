@@ -1,10 +1,11 @@
-#include <signorini/contact/c2_spline.h>
-#include <signorini/contact/curve_weights.h>
-#include <signorini/contact/outline.h>
-#include <signorini/contact/point_table.h>
 #include <signorini/contact/profile.h>
-#include <signorini/input_error.h>
-#include <signorini/named_list.h>
+#include <signorini/curves/c2_spline.h>
+#include <signorini/curves/curve_weights.h>
+#include <signorini/curves/outline.h>
+#include <signorini/curves/parse_outline.h>
+#include <signorini/curves/point_table.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_list.h>
 
 #include <deal.II/base/parameter_handler.h>
 

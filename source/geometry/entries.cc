@@ -1,7 +1,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/memory_estimate.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>

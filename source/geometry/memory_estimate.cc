@@ -1,5 +1,5 @@
 #include <signorini/geometry/memory_estimate.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include <signorini/geometry/mesh.h>
-#include <signorini/input_error.h>
-#include <signorini/nearest_name.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/nearest_name.h>
 
 namespace Signorini
 {

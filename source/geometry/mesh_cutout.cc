@@ -1,7 +1,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_cutout.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,18 +1,18 @@
-#include <signorini/geometry/ball.h>
-#include <signorini/geometry/blade_root.h>
-#include <signorini/geometry/block.h>
-#include <signorini/geometry/disc_sector.h>
-#include <signorini/geometry/half_ball.h>
+#include <signorini/geometry/files/mesh_file.h>
+#include <signorini/geometry/fir_tree/blade_root.h>
+#include <signorini/geometry/fir_tree/disc_sector.h>
+#include <signorini/geometry/gears/pinion.h>
+#include <signorini/geometry/gears/rack.h>
 #include <signorini/geometry/mesh_cutout.h>
-#include <signorini/geometry/mesh_file.h>
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/geometry/mesh_refinement.h>
-#include <signorini/geometry/pinion.h>
-#include <signorini/geometry/quarter_disc.h>
-#include <signorini/geometry/rack.h>
-#include <signorini/geometry/ring.h>
-#include <signorini/geometry/tube.h>
-#include <signorini/input_error.h>
+#include <signorini/geometry/shapes/ball.h>
+#include <signorini/geometry/shapes/block.h>
+#include <signorini/geometry/shapes/half_ball.h>
+#include <signorini/geometry/shapes/quarter_disc.h>
+#include <signorini/geometry/shapes/ring.h>
+#include <signorini/geometry/shapes/tube.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 

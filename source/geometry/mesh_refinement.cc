@@ -5,8 +5,8 @@
 #include <signorini/geometry/mesh_refinement.h>
 #include <signorini/geometry/neighbourhood.h>
 #include <signorini/geometry/refinement_passes.h>
-#include <signorini/input_error.h>
-#include <signorini/named_errors.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_errors.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>

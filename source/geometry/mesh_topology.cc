@@ -1,5 +1,5 @@
 #include <signorini/geometry/mesh_topology.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,5 +1,5 @@
 #include <signorini/geometry/neighbourhood.h>
-#include <signorini/named_list.h>
+#include <signorini/input/named_list.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>

@@ -1,6 +1,6 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/patchwork.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>

@@ -1,5 +1,5 @@
-#include <signorini/geometry/block.h>
 #include <signorini/geometry/polyline.h>
+#include <signorini/geometry/shapes/block.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 
 #include <cholmod.h>

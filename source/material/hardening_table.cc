@@ -1,10 +1,10 @@
 #include "hardening_table.h"
 
-#include <signorini/as_text.h>
-#include <signorini/input_error.h>
-#include <signorini/named_errors.h>
-#include <signorini/named_list.h>
-#include <signorini/regular_file.h>
+#include <signorini/input/as_text.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_errors.h>
+#include <signorini/input/named_list.h>
+#include <signorini/input/regular_file.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,8 +1,8 @@
-#include <signorini/input_error.h>
-#include <signorini/nearest_name.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/nearest_name.h>
+#include <signorini/input/silenced_errors.h>
 #include <signorini/output/check_expression.h>
 #include <signorini/output/check_syntax.h>
-#include <signorini/silenced_errors.h>
 
 #include <deal.II/base/function_parser.h>
 

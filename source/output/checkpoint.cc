@@ -1,8 +1,8 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/regular_file.h>
 #include <signorini/output/checkpoint.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/whole_file.h>
-#include <signorini/regular_file.h>
 #include <signorini/version.h>
 
 #include <boost/archive/binary_iarchive.hpp>

@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/nearest_name.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/nearest_name.h>
 #include <signorini/output/history.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/output/log.h>
 
 #include <sys/ioctl.h>

@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/named_list.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_list.h>
 #include <signorini/output/surface_table.h>
 
 #include <algorithm>

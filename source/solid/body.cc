@@ -1,8 +1,8 @@
 #include <signorini/geometry/mesh_generator.h>
-#include <signorini/input_error.h>
-#include <signorini/named_errors.h>
-#include <signorini/named_list.h>
-#include <signorini/nearest_name.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_errors.h>
+#include <signorini/input/named_list.h>
+#include <signorini/input/nearest_name.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/base/parameter_handler.h>

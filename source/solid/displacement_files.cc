@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/regular_file.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/regular_file.h>
 #include <signorini/solid/displacement_files.h>
 
 #include <charconv>

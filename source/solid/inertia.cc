@@ -1,5 +1,5 @@
 // The part of SolidModel that assembles mass and damping.
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/solid/mass_moments.h>
 #include <signorini/solid/solid_model.h>
 

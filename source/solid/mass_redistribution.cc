@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/solid/mass_redistribution.h>
 
 #include <deal.II/lac/full_matrix.h>

@@ -1,6 +1,6 @@
 #include "node_constraints.h"
 
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/dofs/dof_tools.h>
 

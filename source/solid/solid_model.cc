@@ -1,6 +1,6 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/nearest_name.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
-#include <signorini/nearest_name.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/motion_rates.h>

@@ -1,6 +1,6 @@
-#include <signorini/input_error.h>
-#include <signorini/named_errors.h>
-#include <signorini/named_list.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_errors.h>
+#include <signorini/input/named_list.h>
 #include <signorini/solid/supports.h>
 #include <signorini/time/motion_rates.h>
 

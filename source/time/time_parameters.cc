@@ -1,5 +1,5 @@
-#include <signorini/as_text.h>
-#include <signorini/input_error.h>
+#include <signorini/input/as_text.h>
+#include <signorini/input/input_error.h>
 #include <signorini/time/time_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -1,6 +1,6 @@
-#include <signorini/input_error.h>
-#include <signorini/named_errors.h>
-#include <signorini/regular_file.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/named_errors.h>
+#include <signorini/input/regular_file.h>
 #include <signorini/variational_inequality/algorithm_comparison.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 #include <signorini/variational_inequality/interface_error.h>

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/interface_problem_io.h>
 
 #include <cmath>

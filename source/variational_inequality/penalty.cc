@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/coulomb_fallback.h>
 #include <signorini/variational_inequality/dual_solver.h>
 #include <signorini/variational_inequality/penalty.h>

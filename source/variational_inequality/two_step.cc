@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/dual_solver.h>
 #include <signorini/variational_inequality/two_step.h>
 

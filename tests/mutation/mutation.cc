@@ -5,8 +5,8 @@
 // own. None may crash, hang, end with a success that holds a NaN, with an exit
 // code that does not exist, or with a message that does not say where. What
 // fails is kept in SCRATCH/failed.
-#include <signorini/simulation/error_report.h>
-#include <signorini/simulation/run.h>
+#include <signorini/run/error_report.h>
+#include <signorini/run/run.h>
 
 #include <deal.II/base/mpi.h>
 

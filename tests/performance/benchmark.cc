@@ -1,13 +1,13 @@
 // What a step costs, as ratios of times measured in this one run. Prints, never
 // judges: a busy machine is no mistake of the program. Run it in Release:
 //   build/release/tests/performance/benchmark [number of threads]
-#include <signorini/contact/curve_search.h>
-#include <signorini/contact/curve_weights.h>
+#include <signorini/curves/curve_search.h>
+#include <signorini/curves/curve_weights.h>
+#include <signorini/dynamics/time_step.h>
+#include <signorini/input/parameter_file.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
-#include <signorini/simulation/parameter_file.h>
-#include <signorini/simulation/problem.h>
-#include <signorini/simulation/threads.h>
-#include <signorini/simulation/time_step.h>
+#include <signorini/run/problem.h>
+#include <signorini/run/threads.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/augmented_lagrangian.h>
 #include <signorini/variational_inequality/interface_error.h>
 #include <signorini/variational_inequality/quadratic_programme.h>

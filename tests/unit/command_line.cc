@@ -1,5 +1,5 @@
-#include <signorini/simulation/command_line.h>
-#include <signorini/simulation/shell_word.h>
+#include <signorini/input/shell_word.h>
+#include <signorini/run/command_line.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
-#include <signorini/contact/corner_normals.h>
-#include <signorini/contact/curve_weights.h>
+#include <signorini/curves/corner_normals.h>
+#include <signorini/curves/curve_weights.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 // How well curves through nodes follow smooth shapes, and how graded nodes
 // spoil them.
-#include <signorini/contact/curve_weights.h>
+#include <signorini/curves/curve_weights.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,6 +1,6 @@
-#include <signorini/contact/curve_crossing.h>
-#include <signorini/contact/curve_search.h>
-#include <signorini/contact/outline.h>
+#include <signorini/curves/curve_crossing.h>
+#include <signorini/curves/curve_search.h>
+#include <signorini/curves/outline.h>
 
 #include <boost/test/unit_test.hpp>
 

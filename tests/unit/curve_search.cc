@@ -1,6 +1,6 @@
-#include <signorini/contact/c2_spline.h>
-#include <signorini/contact/curve_search.h>
-#include <signorini/contact/outline.h>
+#include <signorini/curves/c2_spline.h>
+#include <signorini/curves/curve_search.h>
+#include <signorini/curves/outline.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
-#include <signorini/contact/curve_weights.h>
-#include <signorini/input_error.h>
+#include <signorini/curves/curve_weights.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/energy_verdict.h>
+#include <signorini/input/input_error.h>
+#include <signorini/run/energy_verdict.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/output/field_writer.h>
 
 #include <deal.II/base/function_parser.h>

@@ -1,4 +1,4 @@
-#include <signorini/geometry/fir_tree_profile.h>
+#include <signorini/geometry/fir_tree/fir_tree_profile.h>
 
 #include <boost/test/unit_test.hpp>
 

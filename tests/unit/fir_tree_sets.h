@@ -2,8 +2,8 @@
 #define tests_unit_fir_tree_sets_h
 
 #include <signorini/geometry/entries.h>
-#include <signorini/geometry/fir_tree_joint.h>
-#include <signorini/input_error.h>
+#include <signorini/geometry/fir_tree/fir_tree_joint.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 

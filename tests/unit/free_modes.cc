@@ -1,4 +1,4 @@
-#include <signorini/simulation/free_modes.h>
+#include <signorini/dynamics/free_modes.h>
 
 #include <boost/test/unit_test.hpp>
 

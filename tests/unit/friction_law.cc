@@ -1,5 +1,5 @@
 #include <signorini/contact/friction_law.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
-#include <signorini/contact/curve_search.h>
-#include <signorini/contact/gap_derivatives.h>
+#include <signorini/curves/curve_search.h>
+#include <signorini/curves/gap_derivatives.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,7 +1,7 @@
 #ifndef tests_unit_gear_reference_h
 #define tests_unit_gear_reference_h
 
-#include <signorini/geometry/rack_tooth.h>
+#include <signorini/geometry/gears/rack_tooth.h>
 
 #include <cmath>
 #include <functional>

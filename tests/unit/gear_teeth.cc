@@ -1,4 +1,4 @@
-#include <signorini/geometry/rack_tooth.h>
+#include <signorini/geometry/gears/rack_tooth.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/time/generalized_alpha.h>
 
 #include <deal.II/lac/vector.h>

@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/input_record.h>
+#include <signorini/input/input_error.h>
+#include <signorini/run/input_record.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 
 #include <deal.II/base/parameter_handler.h>

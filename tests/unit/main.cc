@@ -1,7 +1,7 @@
 // One executable for all unit tests: starting a program that links deal.II
 // costs more than most of its tests.
 #define BOOST_TEST_MODULE Signorini
-#include <signorini/simulation/threads.h>
+#include <signorini/run/threads.h>
 
 #include <deal.II/base/mpi.h>
 

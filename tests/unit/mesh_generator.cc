@@ -1,4 +1,4 @@
-#include <signorini/geometry/block.h>
+#include <signorini/geometry/shapes/block.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <signorini/geometry/mesh.h>
 #include <signorini/geometry/mesh_generator.h>
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/quadrature_lib.h>

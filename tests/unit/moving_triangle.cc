@@ -1,4 +1,4 @@
-#include <signorini/contact/moving_triangle.h>
+#include <signorini/curves/moving_triangle.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include <signorini/nearest_name.h>
+#include <signorini/input/nearest_name.h>
 
 #include <boost/test/unit_test.hpp>
 

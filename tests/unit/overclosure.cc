@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/overclosure.h>
+#include <signorini/input/input_error.h>
+#include <signorini/run/overclosure.h>
 
 #include <boost/test/unit_test.hpp>
 

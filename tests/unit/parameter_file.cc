@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/parameter_file.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/parameter_file.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include <signorini/simulation/pattern_in_words.h>
+#include <signorini/input/pattern_in_words.h>
 
 #include <deal.II/base/patterns.h>
 

@@ -1,4 +1,4 @@
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 #include <signorini/variational_inequality/penalty.h>
 
 #include <boost/test/unit_test.hpp>

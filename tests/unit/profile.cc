@@ -1,6 +1,6 @@
-#include <signorini/contact/outline.h>
 #include <signorini/contact/profile.h>
-#include <signorini/input_error.h>
+#include <signorini/curves/outline.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/parameter_handler.h>
 

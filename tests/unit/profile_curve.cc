@@ -1,5 +1,5 @@
-#include <signorini/geometry/rack_tooth.h>
-#include <signorini/geometry/tooth_row.h>
+#include <signorini/geometry/gears/rack_tooth.h>
+#include <signorini/geometry/gears/tooth_row.h>
 
 #include <boost/test/unit_test.hpp>
 

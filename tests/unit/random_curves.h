@@ -1,7 +1,7 @@
 #ifndef signorini_tests_random_curves_h
 #define signorini_tests_random_curves_h
 
-#include <signorini/contact/curve_weights.h>
+#include <signorini/curves/curve_weights.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -1,6 +1,6 @@
-#include <signorini/contact/c2_spline.h>
-#include <signorini/contact/outline.h>
-#include <signorini/input_error.h>
+#include <signorini/curves/c2_spline.h>
+#include <signorini/curves/outline.h>
+#include <signorini/input/input_error.h>
 
 #include <boost/test/unit_test.hpp>
 

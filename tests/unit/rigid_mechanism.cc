@@ -1,4 +1,4 @@
-#include <signorini/simulation/rigid_mechanism.h>
+#include <signorini/dynamics/rigid_mechanism.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,4 @@
-#include <signorini/simulation/state.h>
+#include <signorini/dynamics/state.h>
 
 #include <boost/archive/text_iarchive.hpp>
 #include <boost/archive/text_oarchive.hpp>

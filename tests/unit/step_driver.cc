@@ -1,5 +1,5 @@
-#include <signorini/simulation/parameter_file.h>
-#include <signorini/simulation/step_driver.h>
+#include <signorini/input/parameter_file.h>
+#include <signorini/run/step_driver.h>
 #include <signorini/time/step_plan.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -1,5 +1,5 @@
 #include <signorini/linear_algebra/sparse_cholesky.h>
-#include <signorini/simulation/threads.h>
+#include <signorini/run/threads.h>
 
 #include <deal.II/base/parallel.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

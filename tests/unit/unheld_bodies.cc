@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/unheld_bodies.h>
+#include <signorini/dynamics/unheld_bodies.h>
+#include <signorini/input/input_error.h>
 
 #include <boost/test/unit_test.hpp>
 

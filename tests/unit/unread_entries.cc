@@ -1,5 +1,5 @@
-#include <signorini/input_error.h>
-#include <signorini/simulation/unread_entries.h>
+#include <signorini/input/input_error.h>
+#include <signorini/input/unread_entries.h>
 
 #include <boost/test/unit_test.hpp>
 

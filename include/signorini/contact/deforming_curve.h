@@ -2,8 +2,8 @@
 #define signorini_contact_deforming_curve_h
 
 #include <signorini/contact/boundary_chain.h>
-#include <signorini/contact/curve_weights.h>
 #include <signorini/contact/deforming_target.h>
+#include <signorini/curves/curve_weights.h>
 
 #include <string>
 #include <vector>

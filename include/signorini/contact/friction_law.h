@@ -1,7 +1,7 @@
 #ifndef signorini_contact_friction_law_h
 #define signorini_contact_friction_law_h
 
-#include <signorini/formula.h>
+#include <signorini/input/formula.h>
 
 #include <functional>
 #include <limits>

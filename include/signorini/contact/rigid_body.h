@@ -4,9 +4,9 @@
 #include <signorini/contact/contact_target.h>
 #include <signorini/contact/rigid_placement.h>
 #include <signorini/contact/rigid_surface.h>
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
+#include <signorini/input/space_time_function.h>
 #include <signorini/solid/lumped_unknown.h>
-#include <signorini/space_time_function.h>
 
 #include <memory>
 #include <string>

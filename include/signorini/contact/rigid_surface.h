@@ -1,7 +1,7 @@
 #ifndef signorini_contact_rigid_surface_h
 #define signorini_contact_rigid_surface_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>

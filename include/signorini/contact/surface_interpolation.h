@@ -1,7 +1,7 @@
 #ifndef signorini_contact_surface_interpolation_h
 #define signorini_contact_surface_interpolation_h
 
-#include <signorini/contact/curve_weights.h>
+#include <signorini/curves/curve_weights.h>
 
 namespace Signorini
 {

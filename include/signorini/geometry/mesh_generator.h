@@ -1,8 +1,8 @@
 #ifndef signorini_geometry_mesh_generator_h
 #define signorini_geometry_mesh_generator_h
 
-#include <signorini/entry_condition.h>
 #include <signorini/geometry/mesh.h>
+#include <signorini/input/entry_condition.h>
 
 #include <string>
 

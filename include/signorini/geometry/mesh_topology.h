@@ -1,8 +1,8 @@
 #ifndef signorini_geometry_mesh_topology_h
 #define signorini_geometry_mesh_topology_h
 
-#include <signorini/geometry/group_ids.h>
-#include <signorini/geometry/mesh_data.h>
+#include <signorini/geometry/files/group_ids.h>
+#include <signorini/geometry/files/mesh_data.h>
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef signorini_material_elasto_plastic_h
 #define signorini_material_elasto_plastic_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 #include <signorini/material/elastic.h>
 #include <signorini/material/kinematic_hardening.h>
 #include <signorini/material/rate_dependence.h>

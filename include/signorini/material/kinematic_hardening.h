@@ -1,7 +1,7 @@
 #ifndef signorini_material_kinematic_hardening_h
 #define signorini_material_kinematic_hardening_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 namespace dealii
 {

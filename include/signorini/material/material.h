@@ -1,8 +1,8 @@
 #ifndef signorini_material_material_h
 #define signorini_material_material_h
 
-#include <signorini/entry_condition.h>
-#include <signorini/input_error.h>
+#include <signorini/input/entry_condition.h>
+#include <signorini/input/input_error.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/symmetric_tensor.h>

@@ -1,7 +1,7 @@
 #ifndef signorini_material_rate_dependence_h
 #define signorini_material_rate_dependence_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 namespace dealii
 {

@@ -1,7 +1,7 @@
 #ifndef signorini_material_yield_curve_h
 #define signorini_material_yield_curve_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 #include <string>
 #include <vector>

@@ -1,12 +1,12 @@
 #ifndef signorini_solid_body_h
 #define signorini_solid_body_h
 
-#include <signorini/entry_condition.h>
 #include <signorini/geometry/mesh.h>
 #include <signorini/geometry/refinement_passes.h>
+#include <signorini/input/entry_condition.h>
+#include <signorini/input/space_time_function.h>
 #include <signorini/material/material.h>
 #include <signorini/solid/formulation.h>
-#include <signorini/space_time_function.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>

@@ -1,9 +1,9 @@
 #ifndef signorini_solid_loads_h
 #define signorini_solid_loads_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
+#include <signorini/input/space_time_function.h>
 #include <signorini/solid/body.h>
-#include <signorini/space_time_function.h>
 
 #include <string>
 #include <vector>

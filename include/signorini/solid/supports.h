@@ -1,9 +1,9 @@
 #ifndef signorini_solid_supports_h
 #define signorini_solid_supports_h
 
+#include <signorini/input/space_time_function.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/displacement_history.h>
-#include <signorini/space_time_function.h>
 
 #include <memory>
 #include <set>

@@ -1,7 +1,7 @@
 #ifndef signorini_time_step_control_h
 #define signorini_time_step_control_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 #include <string>
 #include <vector>

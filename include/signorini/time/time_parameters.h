@@ -1,7 +1,7 @@
 #ifndef signorini_time_time_parameters_h
 #define signorini_time_time_parameters_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 #include <signorini/time/generalized_alpha.h>
 #include <signorini/time/step_control.h>
 

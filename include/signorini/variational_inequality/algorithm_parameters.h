@@ -1,7 +1,7 @@
 #ifndef signorini_variational_inequality_algorithm_parameters_h
 #define signorini_variational_inequality_algorithm_parameters_h
 
-#include <signorini/entry_condition.h>
+#include <signorini/input/entry_condition.h>
 
 #include <string>
 

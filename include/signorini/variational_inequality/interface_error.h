@@ -1,7 +1,7 @@
 #ifndef signorini_variational_inequality_interface_error_h
 #define signorini_variational_inequality_interface_error_h
 
-#include <signorini/input_error.h>
+#include <signorini/input/input_error.h>
 
 #include <string>
 #include <vector>

@@ -1,0 +1,220 @@
+#ifndef signorini_dynamics_effective_system_h
+#define signorini_dynamics_effective_system_h
+
+#include <signorini/contact/contact_model.h>
+#include <signorini/dynamics/free_modes.h>
+#include <signorini/linear_algebra/condensed_solver.h>
+#include <signorini/output/timings.h>
+#include <signorini/solid/solid_model.h>
+#include <signorini/variational_inequality/interface_algorithm.h>
+#include <signorini/variational_inequality/interface_problem.h>
+
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <memory>
+
+namespace Signorini
+{
+  /**
+   * The effective stiffness of a step, factorised, and the interface problem
+   * that stands on it: one iteration from residual to correction.
+   */
+  template <int dim>
+  class EffectiveSystem
+  {
+  public:
+    /**
+     * K^ = stiffness K + mass M + damping C; the rows of lumped unknowns, such
+     * as those of rigid bodies, are scaled once more.
+     */
+    struct Factors
+    {
+      double stiffness = 1.; // 1
+      double mass      = 0.; // 1/s^2
+      double damping   = 0.; // 1/s
+      double lumped    = 1.; // 1
+
+      bool
+      operator==(const Factors &other) const
+      {
+        return stiffness == other.stiffness && mass == other.mass &&
+               damping == other.damping && lumped == other.lumped;
+      }
+    };
+
+    /** What one iteration finds. */
+    struct Correction
+    {
+      dealii::Vector<double> motion;      // of all unknowns, m
+      InterfaceForces        multipliers; // of the candidates, N
+      std::vector<char>      is_slipping; // each candidate
+      double                 kkt_residual;
+
+      // Where the algorithm met a set of contacts twice, so that a globally
+      // convergent method took over.
+      std::vector<unsigned int> fallback_contacts;
+    };
+
+    /**
+     * The models and the timings must outlive the object.
+     * @param is_static what moves as a whole has no inertia that holds it back
+     */
+    EffectiveSystem(const SolidModel<dim>              &solid,
+                    const ContactModel<dim>            &contact,
+                    std::unique_ptr<InterfaceAlgorithm> algorithm,
+                    const bool                          is_static,
+                    Timings                            &timings);
+
+    /**
+     * M from now on; at first that of the solid. It must outlive its use.
+     * @param is_everywhere false: there are nodes without mass
+     */
+    void
+    use_mass(const dealii::SparseMatrix<double> &mass,
+             const bool                          is_everywhere);
+
+    /**
+     * Assembles and factorises K^, unless it is the one at hand.
+     *
+     * Of a static body, K may be singular, since only contact holds it: then
+     * it is factorised with springs at pins, which the interface problem does
+     * not have (FreeModes). It may be indefinite, since it buckles. Springs are
+     * then added which resist a correction and vanish as the iteration
+     * converges, at first on the interface only, whose condensed stiffness is
+     * known without them, and if that is not enough on all unknowns.
+     *
+     * @param tangent K of the present iterate; null: the constant one of a
+     *                linear solid
+     * @throws NotPositiveDefinite, ComputationError.
+     */
+    void
+    factorise(const Factors                      &factors,
+              const dealii::SparseMatrix<double> *tangent = nullptr);
+
+    /** What can move as a whole is at this displacement now, m. */
+    void
+    place(const dealii::Vector<double> &displacement);
+
+    /**
+     * Solves K^ motion = residual + contact forces under the gap constraints.
+     *
+     * @param residual    without contact forces, N
+     * @param multipliers of the last iterate: the start of the search, and the
+     *                    forces of the geometric contact term
+     * @param coefficients of friction, of each candidate
+     * @throws InterfaceError.
+     */
+    Correction
+    correct(const dealii::Vector<double>         &residual,
+            const std::vector<ContactPoint<dim>> &points,
+            const InterfaceForces                &multipliers,
+            const std::vector<double>            &coefficients);
+
+    /** True if K^ is indefinite, and springs were added. */
+    bool
+    is_indefinite() const
+    {
+      return is_indefinite_;
+    }
+
+    /** An unknown at which K^ is not positive definite. */
+    unsigned int
+    indefinite_unknown() const
+    {
+      return indefinite_unknown_;
+    }
+
+    /** K^-1 force, as if there were no contact. */
+    dealii::Vector<double>
+    respond(const dealii::Vector<double> &force);
+
+    const InterfaceAlgorithm &
+    algorithm() const
+    {
+      return *algorithm_;
+    }
+
+    const InterfaceProblem &
+    interface_problem() const
+    {
+      return problem_;
+    }
+
+  private:
+    // The KKT residual of a solution of the interface problem, which is refined
+    // where rounding has left one.
+    double
+    residual_of_refined(InterfaceSolution &solution) const;
+
+    using Spring = FreeModes::Spring;
+
+    void
+    pin_free_modes();
+
+    // Adds springs, on the interface and if need be elsewhere, until the matrix
+    // is positive definite, and factorises.
+    void
+    factorise_with_springs();
+
+    void
+    add_spring(const unsigned int trailing, const double spring);
+
+    InterfaceSolution
+    solve_interface_problem(const std::vector<ContactPoint<dim>> &points,
+                            const InterfaceForces                &multipliers,
+                            dealii::Vector<double> &reduced_force);
+
+    // The stiffness of the interface itself: without springs, and with the
+    // curvature of the gaps.
+    dealii::FullMatrix<double>
+    interface_stiffness(const std::vector<ContactPoint<dim>> &points,
+                        const InterfaceForces &multipliers) const;
+
+    // Solves where that stiffness is not positive definite by itself.
+    InterfaceSolution
+    solve_with_springs(const dealii::FullMatrix<double> &stiffness,
+                       const dealii::Vector<double>     &force,
+                       const InterfaceForces            &multipliers);
+
+    // Springs where closed contacts hold the interface, at rest where these
+    // would have it: as long as they stay closed, nothing changes.
+    void
+    hold_closed_contacts(const InterfaceForces            &forces,
+                         const dealii::FullMatrix<double> &stiffness,
+                         std::vector<Spring>              &springs,
+                         std::vector<double>              &rests) const;
+
+    const SolidModel<dim>              &solid_;
+    const ContactModel<dim>            &contact_;
+    Timings                            &timings_;
+    std::unique_ptr<InterfaceAlgorithm> algorithm_;
+    const dealii::SparseMatrix<double> *mass_;
+    bool                                may_lack_mass_;
+    std::unique_ptr<CondensedSolver>    solver_;
+    dealii::SparseMatrix<double>        matrix_;
+    bool                                is_factorised_;
+    bool                                may_be_weak_; // static, not linear
+    bool                                is_indefinite_;
+    unsigned int                        indefinite_unknown_;
+    double                              last_softness_; // of springs in K^, 1
+    double                              weakest_pivot_; // allowed, static; or 0
+    Factors                             factors_;
+
+    // The unknowns of the interface problem: those of contact, then the pins
+    // that are not among them.
+    std::vector<unsigned int> trailing_;
+    std::vector<unsigned int> pins_;            // numbers in trailing_
+    dealii::Vector<double>    trailing_spring_; // at each of them, N/m
+    std::vector<double>       mode_stiffness_;  // of what moves, N/m
+    FreeModes                 free_modes_;
+
+    InterfaceStiffness stiffness_; // with the springs
+    InterfaceProblem   problem_;
+    bool         has_plain_stiffness_ = false; // the problem: as factorised
+    unsigned int section_factorisation_;
+    unsigned int section_substitution_;
+    unsigned int section_interface_;
+  };
+} // namespace Signorini
+
+#endif

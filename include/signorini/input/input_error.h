@@ -1,0 +1,42 @@
+#ifndef signorini_input_input_error_h
+#define signorini_input_input_error_h
+
+#include <stdexcept>
+#include <string>
+
+namespace Signorini
+{
+  /**
+   * Something the user can mend: a wrong entry, a missing file, a boundary
+   * that does not exist. The message says where, what was found, what is
+   * allowed, and the remedy, and is printed as it stands.
+   */
+  class InputError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * The computation itself failed: a step that does not converge, a matrix
+   * that is not positive definite, a disk that is full. What was written so
+   * far stays readable.
+   */
+  class ComputationError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * The run ended, but its results miss what the .prm expects of them. The
+   * message lists every check that failed with the value found.
+   */
+  class ExpectedResultsMissed : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+} // namespace Signorini
+
+#endif

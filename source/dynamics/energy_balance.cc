@@ -1,0 +1,99 @@
+#include <signorini/dynamics/energy_balance.h>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  void
+  measure_kinetic_energy(const SparseMatrix<double> &mass, State &state)
+  {
+    state.energy.kinetic = 0.5 * mass.matrix_norm_square(state.velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  measure_support_forces(const SolidModel<dim>                &solid,
+                         const SparseMatrix<double>           *mass,
+                         const ContactModel<dim>              &contact,
+                         const std::vector<ContactPoint<dim>> &points,
+                         State                                &state)
+  {
+    if (solid.supports_are_fixed())
+      return; // their forces do no work
+    Vector<double> force(state.internal_force);
+    force -= state.external_force;
+    Vector<double> product(force.size());
+    if (mass)
+      {
+        mass->vmult(product, state.acceleration);
+        force += product;
+      }
+    if (solid.is_damped())
+      {
+        solid.damping().vmult(product, state.velocity);
+        force += product;
+      }
+    contact.add_contact_forces(points, state.contact_forces, -1., force);
+    for (unsigned int i = 0; i < force.size(); ++i)
+      state.support_force[i] = solid.is_fixed()[i] ? force[i] : 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  measure_work(const SolidModel<dim>  &solid,
+               const StepContact<dim> &contact,
+               const Vector<double>   &support_force,
+               const State            &old_state,
+               State                  &state)
+  {
+    Vector<double> motion(state.displacement);
+    motion -= old_state.displacement;
+    EnergyLedger &energy = state.energy;
+    energy.loads +=
+      0.5 * (motion * old_state.external_force + motion * state.external_force);
+    if (!solid.supports_are_fixed())
+      energy.supports += motion * support_force;
+
+    energy.friction += contact.friction();
+    energy.contact += contact.work() - contact.tangential_work();
+
+    if (solid.is_damped())
+      {
+        Vector<double> velocity(state.velocity), force(motion.size());
+        velocity.sadd(0.5, 0.5, old_state.velocity);
+        solid.damping().vmult(force, velocity);
+        energy.damping += motion * force;
+      }
+  }
+
+
+
+  template void
+  measure_support_forces(const SolidModel<2> &,
+                         const SparseMatrix<double> *,
+                         const ContactModel<2> &,
+                         const std::vector<ContactPoint<2>> &,
+                         State &);
+  template void
+  measure_support_forces(const SolidModel<3> &,
+                         const SparseMatrix<double> *,
+                         const ContactModel<3> &,
+                         const std::vector<ContactPoint<3>> &,
+                         State &);
+  template void
+  measure_work(const SolidModel<2> &,
+               const StepContact<2> &,
+               const Vector<double> &,
+               const State &,
+               State &);
+  template void
+  measure_work(const SolidModel<3> &,
+               const StepContact<3> &,
+               const Vector<double> &,
+               const State &,
+               State &);
+} // namespace Signorini

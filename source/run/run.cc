@@ -1,0 +1,315 @@
+#include <signorini/input/input_error.h>
+#include <signorini/input/parameter_file.h>
+#include <signorini/input/shell_word.h>
+#include <signorini/input/unread_entries.h>
+#include <signorini/output/history_writer.h>
+#include <signorini/output/log.h>
+#include <signorini/output/run_folder.h>
+#include <signorini/output/timings.h>
+#include <signorini/run/adaptive_run.h>
+#include <signorini/run/input_record.h>
+#include <signorini/run/mesh_adaptation.h>
+#include <signorini/run/mesh_warnings.h>
+#include <signorini/run/overclosure.h>
+#include <signorini/run/problem.h>
+#include <signorini/run/run.h>
+#include <signorini/run/simulation.h>
+#include <signorini/run/threads.h>
+#include <signorini/run/unpaired_bodies.h>
+#include <signorini/variational_inequality/algorithm_comparison.h>
+#include <signorini/version.h>
+
+#include <deal.II/base/multithread_info.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace Signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // What is printed about a problem before the first step.
+    template <int dim>
+    std::string
+    description(const Problem<dim> &problem)
+    {
+      std::ostringstream text;
+      text << (problem.title.empty() ? "(no title)" : problem.title) << '\n';
+      for (const auto &part : problem.solid->parts())
+        text << "body " << part.body->name() << ": "
+             << part.body->mesh().triangulation->n_active_cells() << " cells, "
+             << part.body->n_dofs() << " unknowns\n";
+      text << describe_pairs(*problem.contact, problem.initial_displacement)
+           << unpaired_overlaps(problem, problem.initial_displacement)
+           << mesh_warnings(problem);
+      if (problem.time.dynamic)
+        text << "time integration: alpha_B " << problem.time.scheme.alpha_B
+             << ", alpha_H " << problem.time.scheme.alpha_H << ", beta "
+             << problem.time.scheme.beta << ", gamma "
+             << problem.time.scheme.gamma
+             << (problem.time.conserves_energy ?
+                   "; forces that keep energy and momenta" :
+                   "")
+             << '\n';
+      if (problem.contact_parameters.algorithm.penalty_stiffness > 0.)
+        text << "penalty stiffness "
+             << problem.contact_parameters.algorithm.penalty_stiffness
+             << " N/m\n";
+      text << "threads: " << MultithreadInfo::n_threads();
+      return text.str();
+    }
+
+    // Messages begin with a path, "Body beam / Material / Law: ...". Puts the
+    // place in front where this entry, or else the nearest section around it,
+    // stands; without any, the file.
+    std::string
+    with_place(const ParameterFile &file, const std::string &message)
+    {
+      std::string path =
+        message.substr(0, std::min(message.find(": "), message.find(" = ")));
+      for (std::size_t slash = path.find(" / "); slash != std::string::npos;
+           slash             = path.find(" / "))
+        path.replace(slash, 3, "/");
+      while (!path.empty())
+        {
+          const std::string place = file.where(path);
+          if (place != "default")
+            return place + ": " + message;
+          const std::size_t slash = path.rfind('/');
+          path = slash == std::string::npos ? "" : path.substr(0, slash);
+        }
+      return file.path() + ": " + message;
+    }
+
+    // An InputError that names the file and the line already.
+    class PlacedInputError : public InputError
+    {
+    public:
+      using InputError::InputError;
+    };
+
+    // What the action returns; wrong input is reported with its place.
+    template <typename Action>
+    auto
+    with_places(const ParameterFile &file, const Action &action)
+    {
+      try
+        {
+          return action();
+        }
+      catch (const PlacedInputError &)
+        {
+          throw;
+        }
+      catch (const InputError &error)
+        {
+          throw PlacedInputError(with_place(file, error.what()));
+        }
+    }
+
+    void
+    write_parameters(const ParameterHandler &prm, const std::string &path)
+    {
+      std::ofstream file(path);
+      prm.print_parameters(file, ParameterHandler::ShortText);
+      file.flush();
+      if (!file)
+        throw ComputationError("Cannot write \"" + path +
+                               "\": is the disk full?");
+    }
+
+    // Fills in folder, checkpoint and refinements, and returns what is wrong
+    // with newer ones.
+    std::vector<std::string>
+    find_checkpoint(const std::string &base,
+                    const std::string &parameter_file,
+                    const std::string &folder,
+                    RunTask           &task)
+    {
+      task.folder =
+        folder.empty() ? find_run_folder(base, parameter_file) : folder;
+      FoundCheckpoint found = read_checkpoint(task.folder);
+      refuse_changed_input(found.checkpoint.input, task.input);
+      task.passes     = found.checkpoint.passes;
+      task.checkpoint = std::move(found.checkpoint);
+      return found.warnings;
+    }
+
+    template <int dim>
+    void
+    refuse_other_problem(const Problem<dim> &problem,
+                         const Checkpoint   &checkpoint)
+    {
+      if (checkpoint.geometry != geometry_checksum(problem))
+        throw InputError("--resume: the meshes or profiles are not those of "
+                         "the checkpoint: a file with a mesh or with points "
+                         "was changed. Start the run anew without --resume.");
+      if (!StepPlan::is_met(problem.time.end_time, checkpoint.time))
+        throw InputError("--resume: the End time lies before the checkpoint, "
+                         "which is of t = " +
+                         shortest_exact(checkpoint.time) + " s.");
+    }
+
+    // As one types it, with the folder, so that it is the right run.
+    std::string
+    resume_command(const RunOptions  &options,
+                   const std::string &parameter_file,
+                   const std::string &folder)
+    {
+      return quoted(options.program) + " " + quoted(parameter_file) +
+             options.repeated_options + " --resume-from " + quoted(folder);
+    }
+
+    // In the .prm, or on the command line.
+    std::string
+    output_base(const RunOptions &options, ParameterHandler &prm)
+    {
+      if (!options.output_directory.empty())
+        return options.output_directory;
+      prm.enter_subsection("Output");
+      const std::string directory = prm.get("Directory");
+      prm.leave_subsection();
+      return directory;
+    }
+
+    template <int dim>
+    void
+    run_problem(const ParameterFile  &file,
+                const ProblemOutline &outline,
+                const RunOptions     &options)
+    {
+      Timings          timings;
+      ParameterHandler prm;
+      declare_problem_parameters<dim>(outline, prm);
+      ParameterHandler defaults;
+      declare_problem_parameters<dim>(outline, defaults);
+      file.apply(prm);
+      const std::vector<std::string> notes = warnings_of_unread_entries(
+        file, problem_conditions<dim>(outline), prm, defaults);
+      const ProblemCreator<dim> create =
+        [&](const std::vector<RefinementPasses> &passes) {
+          const auto   timing  = timings.measure("set-up");
+          Problem<dim> problem = with_places(file, [&] {
+            return Problem<dim>::create(outline, file.directory(), passes, prm);
+          });
+          choose_blas_threads(problem.solid->n_dofs());
+          return problem;
+        };
+      const std::string base = output_base(options, prm);
+      RunTask           task;
+      task.max_steps = options.max_steps;
+      task.input     = input_entries(prm);
+      std::vector<std::string> warnings;
+      if (options.resume)
+        warnings = find_checkpoint(base, file.path(), *options.resume, task);
+
+      Problem<dim> problem = create(task.passes);
+      // What is wrong in the checks, the algorithm or the quantities is found
+      // before anything is written.
+      auto simulation = with_places(file, [&] {
+        MeshAdaptation<dim>{problem};
+        return std::make_unique<Simulation<dim>>(problem, timings);
+      });
+      if (options.check_only)
+        {
+          Log log("");
+          for (const std::string &note : notes)
+            log.line("warning: " + note);
+          log.line(file.path() + ": the input is fine\n" +
+                   description(problem));
+          return;
+        }
+      if (task.checkpoint)
+        refuse_other_problem(problem, *task.checkpoint);
+      const RunFolder    run_folder = task.checkpoint ?
+                                        RunFolder::open(task.folder) :
+                                        RunFolder::create(base,
+                                                       file.path(),
+                                                       options.overwrite,
+                                                       prm.get("Submodel of"));
+      const std::string &folder     = run_folder.path();
+      task.folder                   = folder;
+      task.resume_command = resume_command(options, file.path(), folder);
+
+      Log::Settings log_settings = Log::default_settings();
+      log_settings.append        = options.resume.has_value();
+      Log log(result_file(folder + "/run.log"), log_settings);
+      for (const std::string &warning : warnings)
+        log.line(warning + " An older one is taken.");
+      log.line("Signorini " SIGNORINI_VERSION ": " + file.path());
+      log.line("results in " + folder);
+      for (const std::string &note : notes)
+        log.line("warning: " + note);
+      write_parameters(prm, result_file(folder + "/parameters.prm"));
+      try
+        {
+          if (problem.adaptivity.maximal_meshes > 1 &&
+              (!task.checkpoint || !task.checkpoint->meshes.empty()))
+            {
+              simulation.reset();
+              with_places(file, [&] {
+                adapt_meshes(create, task, problem, timings, log);
+              });
+              simulation = std::make_unique<Simulation<dim>>(problem, timings);
+            }
+          log.line(description(problem));
+          task.geometry = geometry_checksum(problem);
+          // A formula may have no value at a time that was not tried.
+          with_places(file, [&] { simulation->run(task, log); });
+        }
+      catch (const ComputationError &error)
+        {
+          log.detail(error.what());
+          if (checkpoint_time(folder))
+            log.line("to go on from the last checkpoint: " +
+                     task.resume_command);
+          throw;
+        }
+      catch (const std::exception &error)
+        {
+          log.detail(error.what());
+          throw;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  run_problem(const std::string &prm_file, const RunOptions &options)
+  {
+    ParameterFile file = ParameterFile::read(prm_file);
+    for (const auto &assignment : options.overrides)
+      file.override_entry(assignment);
+    const ProblemOutline outline = ProblemOutline::read(file);
+    if (space_dimension(outline.formulation) == 2)
+      run_problem<2>(file, outline, options);
+    else
+      run_problem<3>(file, outline, options);
+  }
+
+
+
+  void
+  solve_interface(const std::string &file, std::ostream &stream)
+  {
+    stream << compare_algorithms_on_file(file) << std::flush;
+  }
+
+
+
+  void
+  print_parameters(std::ostream &stream)
+  {
+    ParameterHandler prm;
+    declare_problem_parameters<2>(
+      {Formulation::plane_strain, {"beam"}, {"floor"}, {{}}, {}}, prm);
+    prm.set("Bodies", std::string("beam"));
+    prm.set("Rigid bodies", std::string("floor"));
+    prm.print_parameters(stream, ParameterHandler::Text);
+  }
+} // namespace Signorini
