@@ -15,7 +15,7 @@ namespace Signorini
    *   C_ab += int N_a N_b (sqrt(rho M) n n^T + sqrt(rho G) (1 - n n^T)) dA,
    * with the elastic moduli of compression waves M and of shear G. What comes
    * in along the normal is absorbed, what comes in obliquely mostly is
-   * (Lysmer & Kuhlemeyer 1969).
+   * [LysmerKuhlemeyer1969].
    */
   template <int dim>
   void

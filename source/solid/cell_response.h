@@ -25,8 +25,8 @@ namespace Signorini
    * With mean dilatation the volume changes by theta, the projection of J
    * (DilatationProjection; with bilinear elements theta = int J dV / int dV):
    * F_bar = (theta / J)^(1/3) F, and B follows from it, so that f is the
-   * derivative of int psi(F_bar) dV and K is symmetric [Simo, Taylor & Pister
-   * 1985; Hughes 1980 for small strain].
+   * derivative of int psi(F_bar) dV and K is symmetric
+   * [SimoTaylorPister1985; Hughes1980 for small strain].
    *
    * The mean force over a step does as much work as the energy W of the cell
    * takes up in it, and leaves momentum and angular momentum alone,
@@ -35,7 +35,7 @@ namespace Signorini
    *
    * F_m and S_m the means of the deformation gradient and of the second
    * Piola-Kirchhoff stress at both ends, E Green's strain, and lambda such that
-   * sum_a f_a.(U_np - U_n)_a = W_np - W_n [Simo & Tarnow 1992; Gonzalez 2000].
+   * sum_a f_a.(U_np - U_n)_a = W_np - W_n [SimoTarnow1992; Gonzalez2000].
    * Its derivative is not symmetric; the stiffness is twice the symmetric part
    * of it but for lambda, with F taken at three quarters of the way.
    *

@@ -13,7 +13,7 @@ namespace Signorini
    * The projection in L2, cell by cell, on the complete polynomials of one
    * degree less than the displacements: with bilinear elements the mean over
    * the cell. A change of volume of these polynomials is what the displacements
-   * can follow without locking, Q_k/P_(k-1) [Boffi & Gastaldi 2002: polynomials
+   * can follow without locking, Q_k/P_(k-1) [BoffiGastaldi2002: polynomials
    * in the coordinates of space, not of the unit cell].
    *
    * Used again from cell to cell.

@@ -16,10 +16,10 @@ namespace Signorini
    *
    *   x = y(xi, eta) + g n(xi, eta),
    *
-   * so that the gap g has no jump where facets meet, either (Puso & Laursen
-   * 2004). Its gradient is taken as n.(dx - sum_a N_a dy_a), which leaves out
-   * n.y_xi dxi: nothing on a flat surface, of the order of the angle between
-   * facets times the slip on a curved one.
+   * so that the gap g has no jump where facets meet, either
+   * [PusoLaursen2004]. Its gradient is taken as n.(dx - sum_a N_a dy_a), which
+   * leaves out n.y_xi dxi: nothing on a flat surface, of the order of the angle
+   * between facets times the slip on a curved one.
    */
   class FacetTarget : public DeformingTarget<3>
   {

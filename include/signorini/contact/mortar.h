@@ -20,7 +20,7 @@ namespace Signorini
    *    target, has no contact force: its neighbour takes over its share.
    *  - Surfaces that do not overlap have no negative gap, however they are
    *    curved, and nothing is asked of a part that is beyond the target's end.
-   *    Dual functions, int psi_k N_l dA = 0 for k != l (Wohlmuth 2000), change
+   *    Dual functions, int psi_k N_l dA = 0 for k != l [Wohlmuth2000], change
    *    their sign and know neither. What they are for, rows that do not couple
    *    the nodes of the contactor, the interface problem does not need. Of what
    *    is positive and adds up to one, the shares couple least.

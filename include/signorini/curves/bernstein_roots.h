@@ -12,9 +12,8 @@ namespace Signorini
    *
    * No root is missed: the signs of the coefficients change at least as often
    * as the polynomial does, so that an interval is halved until there is one
-   * change, or none, and one change means one root (Schneider, "Solving the
-   * nearest-point-on-curve problem", Graphics Gems, 1990). The root is then
-   * found by Newton's method kept inside of a bracket.
+   * change, or none, and one change means one root [Schneider1990].
+   * The root is then found by Newton's method kept inside of a bracket.
    *
    * @param negligible coefficients below this count as zero; where all of them
    * are, the middle of the interval stands for all of it

@@ -19,7 +19,7 @@ namespace Signorini
    * Does a point that moves evenly, too, pass the triangle against its normal,
    * and come deeper below it than @p tolerance, m? The volume spanned by point
    * and triangle is cubic in time; its roots are the instants at which the
-   * point is in the plane of the triangle [Provot 1997]. That a point arrives
+   * point is in the plane of the triangle [Provot1997]. That a point arrives
    * there at the end of the step does not count.
    */
   bool

@@ -25,7 +25,7 @@ namespace Signorini
    * would make energy: no more is returned than the step has lost, whatever the
    * sum above says of a step that is too long for an impact; and if a step in
    * which contacts open or close has made energy, it is taken. Gaps and contact
-   * forces are untouched. (Cf. Laursen & Love 2002.)
+   * forces are untouched. [Cf. LaursenLove2002.]
    *
    * @param state with the ledger of the step; the work that was returned and
    *              the debt are added to it

@@ -19,7 +19,7 @@ namespace Signorini
    * belong to the interface, on which the springs are taken out again exactly.
    * Closed contacts hold the motions in the interface problem. What these do
    * not hold gets springs, against these motions only, that vanish as the
-   * iteration converges (proximal point method: Rockafellar 1976).
+   * iteration converges (proximal point method [Rockafellar1976]).
    */
   class FreeModes
   {

@@ -19,8 +19,8 @@
 namespace Signorini
 {
   /**
-   * One step of generalized-alpha with contact: the iteration of theory.md,
-   * section 5, on the condensed interface of section 6.
+   * One step of generalized-alpha with contact: the iteration on the
+   * condensed interface, doc/theory.md.
    *
    * Nodes in contact have no mass, and take part in the balance at the end of
    * the step only: their old forces carry no history, and the multiplier of the

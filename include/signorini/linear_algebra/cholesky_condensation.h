@@ -8,7 +8,7 @@ namespace Signorini
 {
   /**
    * Condensation as a by-product of one sparse Cholesky factorisation with the
-   * interface ordered last (theory.md, section 6). One forward and one
+   * interface ordered last (doc/theory.md). One forward and one
    * backward substitution a right-hand side, and nothing else.
    */
   class CholeskyCondensation : public CondensedSolver

@@ -15,7 +15,7 @@ namespace Signorini
    * that are free, in an order of our own: the interior unknowns by nested
    * dissection, then a chosen set of trailing unknowns. The trailing block of L
    * is then the Cholesky factor of the Schur complement on the trailing
-   * unknowns (theory.md, section 6).
+   * unknowns (doc/theory.md).
    */
   class SparseCholesky
   {

@@ -34,8 +34,7 @@ namespace Signorini
    * step (and X is linear in it), and of second order otherwise:
    *   R int sigma_y da + (X_n + X)/2 : (E_p - E_p,n).
    *
-   * [Simo, Hughes: Computational inelasticity, boxes 3.1 and 3.2; de Souza
-   * Neto, Peric, Owen: Computational methods for plasticity, section 7.6]
+   * [SimoHughes1998, boxes 3.1 and 3.2; DeSouzaNetoPericOwen2008, sec. 7.6]
    */
   class ElastoPlastic : public StrainLaw
   {

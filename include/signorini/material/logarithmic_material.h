@@ -37,8 +37,7 @@ namespace Signorini
    *
    * The plastic deformation in the history is F_p^-1 - 1, by rows.
    *
-   * [Eterovic, Bathe, IJNME 30, 1990; Simo, CMAME 99, 1992; de Souza Neto,
-   * Peric, Owen: Computational methods for plasticity, chapter 14; Hill's
+   * [EterovicBathe1990; Simo1992; DeSouzaNetoPericOwen2008, ch. 14; Hill's
    * principal axes for the rates]
    */
   class LogarithmicMaterial : public StrainLawMaterial

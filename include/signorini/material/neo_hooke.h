@@ -16,8 +16,7 @@ namespace Signorini
    *   tau = mu (F F^T - 1) + lambda ln J 1,
    *   c   = lambda 1 x 1 + 2 (mu - lambda ln J) I.
    *
-   * [Bonet, Wood: Nonlinear continuum mechanics for finite element analysis,
-   * section 6.4.3]
+   * [BonetWood2008, sec. 6.4.3]
    */
   class NeoHooke : public Material
   {

@@ -42,7 +42,7 @@ namespace Signorini
    *    them go into its width; and where the gap is so small that the chords of
    *    curved surfaces may hide a contact;
    *  - the cells with the greatest estimated errors that together make up the
-   *    `Error share' are cut (Doerfler 1996).
+   *    `Error share' are cut [Doerfler1996].
    * It ends when contact is fine enough and the quantities have settled.
    */
   template <int dim>

@@ -51,7 +51,7 @@ namespace Signorini
     /**
      * Steps in which the bodies are stopped whenever their kinetic energy
      * begins to fall, until its peaks are below 1e-8 of the first ones (dynamic
-     * relaxation with kinetic damping, Cundall 1976). Rigid bodies fly on. The
+     * relaxation with kinetic damping [Cundall1976]). Rigid bodies fly on. The
      * energy that this takes is counted as damped.
      * @param is_made called after each step
      * @throws ComputationError as advance().

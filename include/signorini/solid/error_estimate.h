@@ -8,7 +8,7 @@
 namespace Signorini
 {
   /**
-   * The estimate of Kelly, Gago, Zienkiewicz and Babuska (1983) for the energy
+   * The estimate of [KellyGagoZienkiewiczBabuska1983] for the energy
    * of the error of each active cell:
    *   eta_K^2 = M h_K/24 int_{faces} |[du/dn]|^2 dA,
    * with the jump of the normal derivative and the modulus M = C_xxxx of the

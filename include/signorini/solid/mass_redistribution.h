@@ -21,11 +21,11 @@ namespace Signorini
   };
 
   /**
-   * Takes the inertia off nodes that come into contact (cf. Khenous, Laborde &
-   * Renard 2008; Hager & Wohlmuth 2008). With m the lumped mass of such a node
-   * c, what its row and column of the mass matrix M lose goes to the diagonal
-   * of its nearest inner neighbours, so that the pattern of M stays. What this
-   * changes in the moments of mass, keep_moments() mends.
+   * Takes the inertia off nodes that come into contact [cf.
+   * KhenousLabordeRenard2008; HagerHueberWohlmuth2008]. With m the lumped mass
+   * of such a node c, what its row and column of the mass matrix M lose goes to
+   * the diagonal of its nearest inner neighbours, so that the pattern of M
+   * stays. What this changes in the moments of mass, keep_moments() mends.
    *
    * The velocity of a massless node is an extrapolation of inner nodes,
    * v_c = sum_j w_cj v_j or v <- P v, exact for affine fields such as a

@@ -12,7 +12,7 @@ namespace Signorini
    *       = (1-alpha_H) F_np + alpha_H F_n + contact forces at n+1,
    *
    * with Newmark's formulas for U and V. Second order when
-   * gamma = 1/2 - alpha_B + alpha_H. [MC, eqs. 47-49; Chung & Hulbert 1993]
+   * gamma = 1/2 - alpha_B + alpha_H. [MC, eqs. 47-49; ChungHulbert1993]
    */
   struct GeneralizedAlpha
   {
@@ -82,7 +82,7 @@ namespace Signorini
   /**
    * All forces those of the middle of the step: with mean internal forces that
    * do as much work as the stored energy takes up, it keeps energy and momenta
-   * [Simo & Tarnow 1992].
+   * [SimoTarnow1992].
    */
   GeneralizedAlpha
   midpoint_rule();
@@ -95,7 +95,7 @@ namespace Signorini
   newmark(const double beta, const double gamma);
 
   /**
-   * Hilber, Hughes & Taylor: alpha_B = 0, second order and of greatest
+   * [HilberHughesTaylor1977]: alpha_B = 0, second order and of greatest
    * dissipation for the given alpha_H. @throws InputError unless alpha_H lies
    * in [0, 1/2].
    */

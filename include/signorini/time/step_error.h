@@ -14,7 +14,7 @@ namespace Signorini
    *
    * with norms of one kind, e.g. that of the mass matrix. The accelerations of
    * generalized-alpha belong to times that lag (alpha_H - alpha_B) dt behind;
-   * without weights c is that of [Zienkiewicz & Xie 1991], who divide by the
+   * without weights c is that of [ZienkiewiczXie1991], who divide by the
    * largest displacement. With the way of the step e is of second order, and
    * the errors of all steps together are e times the way of the run at most.
    *

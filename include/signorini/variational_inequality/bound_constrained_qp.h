@@ -37,8 +37,8 @@ namespace Signorini
    *    the others zero) is found exactly by a Cholesky factorisation; negative
    *    unknowns leave and violated bounds are released, all at once, until none
    *    is left. Nearly always there in a handful of faces.
-   * 2. If that makes no progress or meets a singular face, the method of More &
-   *    Toraldo (1991) goes on from the best point: a projected gradient step
+   * 2. If that makes no progress or meets a singular face, the method of
+   *    [MoreToraldo1991] goes on from the best point: a projected gradient step
    *    chooses the face, the minimum on it is found exactly, and a projected
    *    search leads there. On a singular face the direction of zero curvature
    *    is followed to the next bound; if there is none, the programme is

@@ -10,7 +10,7 @@ namespace Signorini
 {
   /**
    * Coulomb's law with one tangent a contact as a linear complementarity
-   * problem [Klarbring 1986; Stewart & Trinkle 1996], solved by Lemke's
+   * problem [Klarbring1986; StewartTrinkle1996], solved by Lemke's
    * pivoting: for each contact lambda, tau = beta+ - beta-, and a slip gamma,
    *
    *   0 <= lambda  is complementary to  -e >= 0,

@@ -8,7 +8,7 @@
 namespace Signorini
 {
   /**
-   * Nonsmooth block Gauss-Seidel sweeps [Jourdan, Alart & Jean 1998]: Coulomb's
+   * Nonsmooth block Gauss-Seidel sweeps [JourdanAlartJean1998]: Coulomb's
    * law is solved for one contact after the other, with the forces of all
    * others held. Slow, but hardly ever lost: it brings Newton's method near a
    * solution. Changes @p x; stops early once the law holds to rounding.

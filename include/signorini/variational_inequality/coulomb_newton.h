@@ -33,7 +33,7 @@ namespace Signorini
 
   /** The states that the forces @p x and y = d - (W + C) x suggest: open unless
    * w lambda + e > 0, stick if w tau + v lies in the disc of radius
-   * w f(lambda + e / w), otherwise slip along it [Alart & Curnier 1991]. */
+   * w f(lambda + e / w), otherwise slip along it [AlartCurnier1991]. */
   std::vector<ContactState>
   contact_states(const CoulombSystem       &system,
                  const std::vector<double> &x,
@@ -46,7 +46,7 @@ namespace Signorini
    * so that the method ends exactly when a state confirms itself; a state that
    * comes back before is a cycle and ends it without solution. With two, the
    * projection on the disc is linearised, in the form whose Jacobian stays
-   * bounded away from singular [Hueber, Stadler & Wohlmuth 2008].
+   * bounded away from singular [HueberStadlerWohlmuth2008].
    *
    * @param start where the search begins; only the states that it suggests
    *   matter with one tangent.

@@ -51,7 +51,7 @@ namespace Signorini
     multiply(dealii::Vector<double> &x) const;
 
     /** x <- |L| |L^T| |x|: times the machine precision the size of the rounding
-     * in S x, and in S^-1 times a force (Higham 2002, theorem 10.4). */
+     * in S x, and in S^-1 times a force [Higham2002, theorem 10.4]. */
     void
     multiply_absolute(dealii::Vector<double> &x) const;
 

@@ -10,9 +10,9 @@ namespace Signorini
 {
   /**
    * The linear complementarity problem w = q + M z, w >= 0, z >= 0, w z = 0 by
-   * Lemke's complementary pivoting with lexicographic ties [Cottle, Pang &
-   * Stone 1992, ch. 4.4]. Entries of M should be of the order of one. Finds a
-   * solution whenever M is copositive and z^T q >= 0 for every z of the
+   * Lemke's complementary pivoting with lexicographic ties
+   * [CottlePangStone1992, ch. 4.4]. Entries of M should be of the order of one.
+   * Finds a solution whenever M is copositive and z^T q >= 0 for every z of the
    * homogeneous problem.
    *
    * @param cover positive numbers of the order of one, one a row: the direction

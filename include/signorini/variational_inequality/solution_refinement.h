@@ -15,7 +15,7 @@ namespace Signorini
    *   T d = -s - T du  where it sticks,   t = mu l tau/|tau|  where it slips.
    *
    * A body that is soft beside the others loses digits in du, which are got
-   * back. (Cf. Higham 2002, ch. 12.)
+   * back. [Cf. Higham2002, ch. 12.]
    *
    * @return false if rows depend on each other: the solution is left as it was
    */

@@ -18,7 +18,7 @@ namespace Signorini
    * is the origin, the blade is pulled along +y. Tooth 1 is the one nearest the
    * rim.
    *
-   * [MC, section 6.3] names the features n, l, alpha, beta and gamma, the last
+   * [MC, sec. 6.3] names the features n, l, alpha, beta and gamma, the last
    * two of which "define the tooth pitch"; its figure 21 is not in the text.
    * They are read so:
    *  - n: teeth on each side of the root.
