@@ -65,7 +65,11 @@ namespace
                              "threads: start it without mpirun.");
     if (command_line.print_parameters)
       {
-        print_parameters(std::cout);
+        auto files = command_line.prm_files;
+        if (files.empty())
+          files.emplace_back();
+        for (const auto &file : files)
+          print_parameters(file, command_line.run_options.overrides, std::cout);
         return done;
       }
     catch_interruptions();

@@ -21,7 +21,8 @@ namespace Signorini
       options.add_options()("check",
                             "read and check the files, compute nothing");
       options.add_options()("print-parameters",
-                            "print all entries with default and meaning");
+                            "print all entries with default and meaning, of "
+                            "the files with their values");
       options.add_options()("output-directory",
                             po::value<std::string>()->value_name("DIR"),
                             "folder for the results, instead of the one in "

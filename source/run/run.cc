@@ -275,6 +275,37 @@ namespace Signorini
           throw;
         }
     }
+    ParameterFile
+    read_with_overrides(const std::string              &prm_file,
+                        const std::vector<std::string> &overrides)
+    {
+      ParameterFile file = ParameterFile::read(prm_file);
+      for (const auto &assignment : overrides)
+        file.override_entry(assignment);
+      return file;
+    }
+
+    // All entries of a problem that is described by this outline.
+    void
+    declare_problem(const ProblemOutline &outline, ParameterHandler &prm)
+    {
+      if (space_dimension(outline.formulation) == 2)
+        declare_problem_parameters<2>(outline, prm);
+      else
+        declare_problem_parameters<3>(outline, prm);
+    }
+
+    // What --set says of the formulation.
+    std::string
+    formulation_of(const std::vector<std::string> &overrides)
+    {
+      const std::string entry = "Formulation=";
+      std::string       name  = "plane strain";
+      for (const auto &assignment : overrides)
+        if (assignment.compare(0, entry.size(), entry) == 0)
+          name = assignment.substr(entry.size());
+      return name;
+    }
   } // namespace
 
 
@@ -282,9 +313,7 @@ namespace Signorini
   void
   run_problem(const std::string &prm_file, const RunOptions &options)
   {
-    ParameterFile file = ParameterFile::read(prm_file);
-    for (const auto &assignment : options.overrides)
-      file.override_entry(assignment);
+    ParameterFile file = read_with_overrides(prm_file, options.overrides);
     const ProblemOutline outline = ProblemOutline::read(file);
     if (space_dimension(outline.formulation) == 2)
       run_problem<2>(file, outline, options);
@@ -303,13 +332,27 @@ namespace Signorini
 
 
   void
-  print_parameters(std::ostream &stream)
+  print_parameters(const std::string              &prm_file,
+                   const std::vector<std::string> &overrides,
+                   std::ostream                   &stream)
   {
     ParameterHandler prm;
-    declare_problem_parameters<2>(
-      {Formulation::plane_strain, {"beam"}, {"floor"}, {{}}, {}}, prm);
-    prm.set("Bodies", std::string("beam"));
-    prm.set("Rigid bodies", std::string("floor"));
+    if (prm_file.empty())
+      {
+        const std::string formulation = formulation_of(overrides);
+        declare_problem(
+          {formulation_from_name(formulation), {"beam"}, {"floor"}, {{}}, {}},
+          prm);
+        prm.set("Formulation", formulation);
+        prm.set("Bodies", std::string("beam"));
+        prm.set("Rigid bodies", std::string("floor"));
+      }
+    else
+      {
+        ParameterFile file = read_with_overrides(prm_file, overrides);
+        declare_problem(ProblemOutline::read(file), prm);
+        file.apply(prm);
+      }
     prm.print_parameters(stream, ParameterHandler::Text);
   }
 } // namespace Signorini

@@ -48,11 +48,16 @@ namespace Signorini
   run_problem(const std::string &prm_file, const RunOptions &options);
 
   /**
-   * Print every entry with its default and documentation, for a problem with
-   * one example body, in the syntax of a .prm.
+   * Print every entry of a problem with its value and documentation, in the
+   * syntax of a .prm.
+   * @param prm_file empty: a problem with one body and one rigid body, in 3-D
+   *                 if @p overrides set the Formulation to it
+   * @throws InputError.
    */
   void
-  print_parameters(std::ostream &stream);
+  print_parameters(const std::string              &prm_file,
+                   const std::vector<std::string> &overrides,
+                   std::ostream                   &stream);
 
   /**
    * Print how the exact algorithms solve the interface problem in a file.
