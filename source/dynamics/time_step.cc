@@ -346,7 +346,11 @@ namespace Signorini
       if (!acting[k].is_in_reach())
         acting[k] = points[k];
       else
-        acting[k].slip = points[k].slip; // over the whole step
+        {
+          // Slip is that of the whole step, and friction acts along it.
+          acting[k].slip           = points[k].slip;
+          acting[k].slip_gradients = points[k].slip_gradients;
+        }
     return acting;
   }
 
