@@ -44,7 +44,7 @@ namespace Signorini
     ChainEnd
     chain_end(const Node<2>                                 &node,
               const std::multimap<unsigned int, OtherPiece> &pieces,
-              const std::vector<bool>                       &is_fixed)
+              const DofMap                                  &dof_map)
     {
       ChainEnd   end;
       const auto found = pieces.find(node.dofs[0]);
@@ -54,7 +54,8 @@ namespace Signorini
       end.beyond              = beyond;
       const Tensor<1, 2> edge = beyond.point - node.point;
       for (unsigned int c = 0; c < 2; ++c)
-        if (is_fixed[node.dofs[c]] && is_fixed[beyond.dofs[c]] &&
+        if (dof_map.is_constrained(node.dofs[c]) &&
+            dof_map.is_constrained(beyond.dofs[c]) &&
             std::abs(edge[c]) < 1e-8 * edge.norm())
           end.mirrored_component = c;
       return end;
@@ -64,9 +65,9 @@ namespace Signorini
 
 
   std::vector<BoundaryChain>
-  boundary_chains(const Body<2>           &body,
-                  const std::string       &boundary,
-                  const std::vector<bool> &is_fixed)
+  boundary_chains(const Body<2>     &body,
+                  const std::string &boundary,
+                  const DofMap      &dof_map)
   {
     // 1. Who follows whom
     const ContactorSurface<2> surface = contactor_surface(body, boundary);
@@ -99,8 +100,8 @@ namespace Signorini
             }
         }
       if (!chain.is_closed)
-        chain.ends = {{chain_end(chain.nodes.front(), pieces, is_fixed),
-                       chain_end(chain.nodes.back(), pieces, is_fixed)}};
+        chain.ends = {{chain_end(chain.nodes.front(), pieces, dof_map),
+                       chain_end(chain.nodes.back(), pieces, dof_map)}};
       chains.push_back(chain);
     };
     for (unsigned int n = 0; n < surface.nodes.size(); ++n)

@@ -1,6 +1,7 @@
+#include <signorini/contact/constraint_jacobian.h>
 #include <signorini/contact/contact_model.h>
-#include <signorini/contact/contact_rows.h>
 #include <signorini/contact/mortar.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <map>
@@ -27,11 +28,10 @@ namespace Signorini
 
 
   template <int dim>
-  ContactModel<dim>::ContactModel(std::vector<PairDescription>     pairs,
-                                  const std::vector<bool>         &is_fixed,
-                                  const AffineConstraints<double> &constraints)
-    : hanging_nodes_(constraints)
-    , interface_(is_fixed)
+  ContactModel<dim>::ContactModel(std::vector<PairDescription> pairs,
+                                  const DofMap                &dof_map)
+    : dof_map_(dof_map)
+    , interface_(dof_map)
   {
     std::map<std::string, unsigned int> n_pairs_of_target;
     for (const auto &pair : pairs)
@@ -43,7 +43,7 @@ namespace Signorini
                                      target :
                                      description.body->name() + "." +
                                      description.boundary + "." + target;
-        pairs_.emplace_back(std::move(description), is_fixed, constraints);
+        pairs_.emplace_back(std::move(description), dof_map);
         ContactPair<dim> &pair = pairs_.back();
         pair.name              = name;
         pair.first_contact     = n_contacts_;
@@ -69,9 +69,9 @@ namespace Signorini
                                 pair.contactor.nodes;
         for (const auto &node : touched)
           for (const unsigned int dof : node.dofs)
-            interface_.add(dof, hanging_nodes_);
+            interface_.add(dof);
         for (const unsigned int unknown : pair.target->unknowns())
-          interface_.add(unknown, hanging_nodes_);
+          interface_.add(unknown);
       }
   }
 
@@ -134,7 +134,7 @@ namespace Signorini
     points.reserve(n_contacts_);
     for (const auto &pair : pairs_)
       {
-        const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
+        const PlacedPair<dim> placed(pair, now, before, dof_map_.constraints());
         auto of_pair = pair.constraint == ContactConstraint::mortar ?
                          mortar_points(placed) :
                          node_to_surface_points(placed);
@@ -200,19 +200,20 @@ namespace Signorini
 
   template <int dim>
   std::vector<unsigned int>
-  ContactModel<dim>::passed_targets(const Configuration       &now,
-                                    const Configuration       &before,
-                                    const std::vector<double> &start_gaps,
-                                    const std::vector<bool>   &closed) const
+  ContactModel<dim>::tunnelling_candidates(
+    const Configuration       &now,
+    const Configuration       &before,
+    const std::vector<double> &start_gaps,
+    const std::vector<bool>   &closed) const
   {
     std::vector<unsigned int> passed;
     for (const auto &pair : pairs_)
       {
         const Allowance      &allowance = allowances_[&pair - pairs_.data()];
-        const PlacedPair<dim> placed(pair, now, before, hanging_nodes_);
+        const PlacedPair<dim> placed(pair, now, before, dof_map_.constraints());
         std::optional<PlacedPair<dim>> placed_before;
         if (pair.constraint == ContactConstraint::mortar)
-          placed_before.emplace(pair, before, before, hanging_nodes_);
+          placed_before.emplace(pair, before, before, dof_map_.constraints());
         // A node of mortar may rest inside if others around are outside.
         const auto rests_inside = [](const PlacedPair<dim> &of_pair,
                                      const unsigned int     node) {
@@ -348,6 +349,7 @@ namespace Signorini
 
 
 
-  template class ContactModel<2>;
-  template class ContactModel<3>;
+#define INSTANTIATE(dim) template class ContactModel<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

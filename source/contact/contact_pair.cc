@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_pair.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <sstream>
@@ -8,9 +9,8 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  ContactPair<dim>::ContactPair(ContactPairDescription<dim>    &&description,
-                                const std::vector<bool>         &is_fixed,
-                                const AffineConstraints<double> &hanging_nodes)
+  ContactPair<dim>::ContactPair(ContactPairDescription<dim> &&description,
+                                const DofMap                 &dof_map)
     : body(description.body)
     , target(std::move(description.target))
     , friction(description.friction)
@@ -23,10 +23,10 @@ namespace Signorini
       {
         const auto &dofs = surface.nodes[n].dofs;
         if (std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int i) {
-              return is_fixed[i];
+              return dof_map.is_constrained(i);
             }))
           {
-            if (!hanging_nodes.is_constrained(dofs[0]))
+            if (!dof_map.constraints().is_constrained(dofs[0]))
               held_nodes.push_back(surface.nodes[n]);
             continue;
           }
@@ -82,6 +82,7 @@ namespace Signorini
 
 
 
-  template struct ContactPair<2>;
-  template struct ContactPair<3>;
+#define INSTANTIATE(dim) template struct ContactPair<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

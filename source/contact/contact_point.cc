@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_point.h>
+#include <signorini/input/instantiate.h>
 
 #include <map>
 
@@ -32,6 +33,7 @@ namespace Signorini
 
 
 
-  template struct ContactPoint<2>;
-  template struct ContactPoint<3>;
+#define INSTANTIATE(dim) template struct ContactPoint<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_pressures.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 
@@ -64,12 +65,11 @@ namespace Signorini
 
 
 
-  template std::vector<double>
-  contact_pressures(const ContactPair<2> &,
-                    const std::vector<ContactPoint<2>> &,
-                    const std::vector<double> &);
-  template std::vector<double>
-  contact_pressures(const ContactPair<3> &,
-                    const std::vector<ContactPoint<3>> &,
-                    const std::vector<double> &);
+#define INSTANTIATE(dim)                          \
+  template std::vector<double> contact_pressures( \
+    const ContactPair<dim> &,                     \
+    const std::vector<ContactPoint<dim>> &,       \
+    const std::vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

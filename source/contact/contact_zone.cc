@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_zone.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,22 +86,14 @@ namespace Signorini
 
 
 
-  template ContactZone<2>
-  contact_zone(const ContactPair<2> &,
-               const std::vector<double> &,
-               const Vector<double> &);
-  template ContactZone<3>
-  contact_zone(const ContactPair<3> &,
-               const std::vector<double> &,
-               const Vector<double> &);
-  template std::vector<NearMiss<2>>
-  near_misses(const ContactPair<2> &,
-              const std::vector<double> &,
-              const std::vector<double> &,
-              const Vector<double> &);
-  template std::vector<NearMiss<3>>
-  near_misses(const ContactPair<3> &,
-              const std::vector<double> &,
-              const std::vector<double> &,
-              const Vector<double> &);
+#define INSTANTIATE(dim)                                                        \
+  template ContactZone<dim>           contact_zone(const ContactPair<dim> &,    \
+                                                   const std::vector<double> &, \
+                                                   const Vector<double> &);     \
+  template std::vector<NearMiss<dim>> near_misses(const ContactPair<dim> &,     \
+                                                  const std::vector<double> &,  \
+                                                  const std::vector<double> &,  \
+                                                  const Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/contact/contactor_surface.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
@@ -235,24 +236,17 @@ namespace Signorini
 
 
 
-  template ContactorSurface<2>
-  contactor_surface(const Body<2> &, const std::string &);
-  template ContactorSurface<3>
-  contactor_surface(const Body<3> &, const std::string &);
-  template std::vector<Point<2>>
-  node_positions(const std::vector<Node<2>> &, const Vector<double> &);
-  template std::vector<Point<3>>
-  node_positions(const std::vector<Node<3>> &, const Vector<double> &);
-  template std::vector<double>
-  area_stretches(const ContactorSurface<2> &,
-                 const Formulation,
-                 const std::vector<Point<2>> &);
-  template std::vector<double>
-  area_stretches(const ContactorSurface<3> &,
-                 const Formulation,
-                 const std::vector<Point<3>> &);
-  template std::vector<Tensor<1, 2>>
-  node_normals(const ContactorSurface<2> &, const std::vector<Point<2>> &);
-  template std::vector<Tensor<1, 3>>
-  node_normals(const ContactorSurface<3> &, const std::vector<Point<3>> &);
+#define INSTANTIATE(dim)                                                   \
+  template ContactorSurface<dim>   contactor_surface(const Body<dim> &,    \
+                                                     const std::string &); \
+  template std::vector<Point<dim>> node_positions(                         \
+    const std::vector<Node<dim>> &, const Vector<double> &);               \
+  template std::vector<double> area_stretches(                             \
+    const ContactorSurface<dim> &,                                         \
+    const Formulation,                                                     \
+    const std::vector<Point<dim>> &);                                      \
+  template std::vector<Tensor<1, dim>> node_normals(                       \
+    const ContactorSurface<dim> &, const std::vector<Point<dim>> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -279,7 +279,7 @@ namespace Signorini
           const auto crossing =
             CurveCrossing(before, chain.curve).first(start, end);
           if (crossing && depth_behind(*crossing, chain, start, end) >
-                            passage_depth(start, motion))
+                            tunnelling_depth(start, motion))
             return chain.curve.normal(crossing->place);
         }
       return {};
@@ -346,8 +346,8 @@ namespace Signorini
               Tensor<1, 2> share;
               share[c] = weights.phi[j][c];
               target.motion[c] -= share[c] * chain.positions_before[n][c];
-              target.carriers.emplace_back(chain.chain.nodes.nodes[n].dofs[c],
-                                           share);
+              target.supporting_dofs.emplace_back(
+                chain.chain.nodes.nodes[n].dofs[c], share);
             }
         }
       if (!projection.is_vertex)
@@ -360,11 +360,11 @@ namespace Signorini
 
   DeformingCurve::DeformingCurve(const Body<2>              &body,
                                  const std::string          &boundary,
-                                 const std::vector<bool>    &is_fixed,
+                                 const DofMap               &dof_map,
                                  const SurfaceInterpolation &interpolation)
     : DeformingTarget<2>(body, boundary, interpolation)
   {
-    for (auto &nodes : boundary_chains(body, boundary, is_fixed))
+    for (auto &nodes : boundary_chains(body, boundary, dof_map))
       {
         std::vector<Point<2>> reference;
         for (const auto &node : nodes.nodes)

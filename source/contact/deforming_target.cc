@@ -1,4 +1,5 @@
 #include <signorini/contact/deforming_target.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 
@@ -73,6 +74,7 @@ namespace Signorini
 
 
 
-  template class DeformingTarget<2>;
-  template class DeformingTarget<3>;
+#define INSTANTIATE(dim) template class DeformingTarget<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

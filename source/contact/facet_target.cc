@@ -272,7 +272,7 @@ namespace Signorini
       if (std::min(start_gap, reach_) >= start.distance(end) + largest_motion_)
         return {};
       const double tolerance =
-        passage_depth(start, end.distance(start) + largest_motion_);
+        tunnelling_depth(start, end.distance(start) + largest_motion_);
       for (unsigned int f = 0; f < surface_.faces.size(); ++f)
         {
           if (carries(f, unknown))
@@ -323,8 +323,8 @@ namespace Signorini
             {
               Tensor<1, 3> motion;
               motion[c] = share;
-              target.carriers.emplace_back(surface_.nodes[node].dofs[c],
-                                           motion);
+              target.supporting_dofs.emplace_back(surface_.nodes[node].dofs[c],
+                                                  motion);
             }
         }
       target.curvature = std::move(stiffness.matrix);

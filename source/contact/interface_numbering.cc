@@ -6,29 +6,30 @@ namespace Signorini
 
   namespace
   {
-    constexpr unsigned int fixed            = numbers::invalid_unsigned_int;
-    constexpr unsigned int not_on_interface = fixed - 1;
+    constexpr unsigned int constrained      = numbers::invalid_unsigned_int;
+    constexpr unsigned int not_on_interface = constrained - 1;
   } // namespace
 
 
 
-  InterfaceNumbering::InterfaceNumbering(const std::vector<bool> &is_fixed)
+  InterfaceNumbering::InterfaceNumbering(const DofMap &dof_map)
+    : dof_map_(dof_map)
   {
-    for (const bool is : is_fixed)
-      index_.push_back(is ? fixed : not_on_interface);
+    for (const bool is_constrained : dof_map.constrained())
+      index_.push_back(is_constrained ? constrained : not_on_interface);
   }
 
 
 
   void
-  InterfaceNumbering::add(const unsigned int               unknown,
-                          const AffineConstraints<double> &hanging_nodes)
+  InterfaceNumbering::add(const unsigned int unknown)
   {
-    if (!hanging_nodes.is_constrained(unknown))
+    const auto &constraints = dof_map_.constraints();
+    if (!constraints.is_constrained(unknown))
       add_free(unknown);
     else
       for (const auto &[master, factor] :
-           *hanging_nodes.get_constraint_entries(unknown))
+           *constraints.get_constraint_entries(unknown))
         add_free(master);
   }
 

@@ -1,4 +1,5 @@
 #include <signorini/contact/overlap.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -372,8 +373,8 @@ namespace Signorini
 
 
 
-  template std::vector<Overlap<2>>
-  find_overlaps(const OverlapQuery<2> &);
-  template std::vector<Overlap<3>>
-  find_overlaps(const OverlapQuery<3> &);
+#define INSTANTIATE(dim) \
+  template std::vector<Overlap<dim>> find_overlaps(const OverlapQuery<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/contact/plane.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -72,6 +73,7 @@ namespace Signorini
 
 
 
-  template class Plane<2>;
-  template class Plane<3>;
+#define INSTANTIATE(dim) template class Plane<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

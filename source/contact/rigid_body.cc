@@ -1,5 +1,6 @@
 #include <signorini/contact/rigid_body.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -235,16 +236,16 @@ namespace Signorini
 
 
   template <int dim>
-  std::vector<LumpedUnknown>
+  std::vector<RigidBodyDof>
   RigidBody<dim>::unknowns() const
   {
-    std::vector<LumpedUnknown> list;
+    std::vector<RigidBodyDof> list;
     if (!is_free_)
       return list;
     for (unsigned int c = 0; c < n_components; ++c)
       {
-        const bool    turns = c == dim;
-        LumpedUnknown unknown;
+        const bool   turns = c == dim;
+        RigidBodyDof unknown;
         unknown.mass             = mass_[c];
         unknown.initial_velocity = initial_velocity_[c];
         unknown.force            = [this, c, turns](const double time) {
@@ -295,6 +296,7 @@ namespace Signorini
 
 
 
-  template class RigidBody<2>;
-  template class RigidBody<3>;
+#define INSTANTIATE(dim) template class RigidBody<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #include <signorini/contact/profile.h>
 #include <signorini/contact/rigid_surface.h>
 #include <signorini/contact/sphere.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -105,20 +106,11 @@ namespace Signorini
 
 
 
-  template EntryConditions
-  rigid_surface_conditions<2>();
-  template EntryConditions
-  rigid_surface_conditions<3>();
-  template void
-  declare_rigid_surface_parameters<2>(ParameterHandler &);
-  template void
-  declare_rigid_surface_parameters<3>(ParameterHandler &);
-  template std::unique_ptr<RigidSurface<2>>
-  create_rigid_surface<2>(ParameterHandler &,
-                          const std::string &,
-                          const std::string &);
-  template std::unique_ptr<RigidSurface<3>>
-  create_rigid_surface<3>(ParameterHandler &,
-                          const std::string &,
-                          const std::string &);
+#define INSTANTIATE(dim)                                                   \
+  template EntryConditions rigid_surface_conditions<dim>();                \
+  template void declare_rigid_surface_parameters<dim>(ParameterHandler &); \
+  template std::unique_ptr<RigidSurface<dim>> create_rigid_surface<dim>(   \
+    ParameterHandler &, const std::string &, const std::string &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

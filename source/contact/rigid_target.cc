@@ -1,4 +1,5 @@
 #include <signorini/contact/rigid_target.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ namespace Signorini
 
     private:
       void
-      add_carriers(const Point<dim> &y, TargetPoint<dim> &target) const;
+      add_supporting_dofs(const Point<dim> &y, TargetPoint<dim> &target) const;
 
       // grad grad g over x, u and, in 2-D, the arc of rotation.
       FullMatrix<double>
@@ -67,7 +68,7 @@ namespace Signorini
                       (now_.angle - before_.angle) *
                         quarter_turn<dim>(y - now_.centre - now_.translation);
       if (body_.is_free())
-        add_carriers(y, target);
+        add_supporting_dofs(y, target);
       if (!body_.is_flat())
         target.curvature =
           curvature(point.position, target.normal, surface.curvature);
@@ -94,7 +95,7 @@ namespace Signorini
                  end.distance(now_.centre + now_.translation));
       // Not less than the length of the path in the body
       const double           length = motion.norm() + std::abs(angle) * lever;
-      const double           depth  = passage_depth(start, length);
+      const double           depth  = tunnelling_depth(start, length);
       constexpr unsigned int most   = 100; // a path that grazes comes no nearer
       double                 passed = 0.;  // along the path
       Tensor<1, dim>         side; // of the body, that the point saw last
@@ -121,20 +122,21 @@ namespace Signorini
 
     template <int dim>
     void
-    PlacedRigidTarget<dim>::add_carriers(const Point<dim> &y,
-                                         TargetPoint<dim> &target) const
+    PlacedRigidTarget<dim>::add_supporting_dofs(const Point<dim> &y,
+                                                TargetPoint<dim> &target) const
     {
       for (unsigned int c = 0; c < dim; ++c)
         {
           Tensor<1, dim> direction;
           direction[c] = 1.;
-          target.carriers.emplace_back(body_.first_unknown() + c, direction);
+          target.supporting_dofs.emplace_back(body_.first_unknown() + c,
+                                              direction);
         }
       if (dim == 2)
-        target.carriers.emplace_back(body_.first_unknown() + 2,
-                                     quarter_turn<dim>(y - now_.centre -
-                                                       now_.translation) /
-                                       body_.lever());
+        target.supporting_dofs.emplace_back(
+          body_.first_unknown() + 2,
+          quarter_turn<dim>(y - now_.centre - now_.translation) /
+            body_.lever());
     }
 
 
@@ -148,19 +150,19 @@ namespace Signorini
     {
       const Tensor<2, dim> H =
         now_.rotation * Tensor<2, dim>(of_shape) * transpose(now_.rotation);
-      const unsigned int n_carriers =
+      const unsigned int n_supporting_dofs =
         body_.is_free() ? RigidBody<dim>::n_components : 0;
       const Tensor<1, dim> arm = x - now_.centre - now_.translation;
 
       // 1. w.H w with w = sum_i columns[i] dq_i
-      std::vector<Tensor<1, dim>> columns(dim + n_carriers);
+      std::vector<Tensor<1, dim>> columns(dim + n_supporting_dofs);
       for (unsigned int c = 0; c < dim; ++c)
         {
           columns[c][c] = 1.;
-          if (n_carriers > 0)
+          if (n_supporting_dofs > 0)
             columns[dim + c][c] = -1.;
         }
-      const bool turns = dim == 2 && n_carriers > 0;
+      const bool turns = dim == 2 && n_supporting_dofs > 0;
       if (turns)
         columns[2 * dim] = -quarter_turn<dim>(arm) / body_.lever();
       FullMatrix<double> matrix(columns.size());
@@ -237,6 +239,7 @@ namespace Signorini
 
 
 
-  template class RigidTarget<2>;
-  template class RigidTarget<3>;
+#define INSTANTIATE(dim) template class RigidTarget<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

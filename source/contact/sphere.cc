@@ -1,5 +1,6 @@
 #include <signorini/contact/sphere.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -133,6 +134,7 @@ namespace Signorini
 
 
 
-  template class Sphere<2>;
-  template class Sphere<3>;
+#define INSTANTIATE(dim) template class Sphere<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

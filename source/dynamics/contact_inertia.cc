@@ -1,4 +1,5 @@
 #include <signorini/dynamics/contact_inertia.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/nodal_acceleration.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -28,7 +29,8 @@ namespace Signorini
       is_free.fill(part.supports.sliding_nodes().empty());
       for (const auto &node : body.nodes())
         for (unsigned int c = 0; c < dim; ++c)
-          is_free[c] = is_free[c] && !solid.is_given()[node.dofs[c]];
+          is_free[c] =
+            is_free[c] && !solid.dof_map().is_prescribed(node.dofs[c]);
       const bool is_round = body.formulation() == Formulation::axisymmetric;
       if (is_round)
         is_free[0] = false;
@@ -307,7 +309,7 @@ namespace Signorini
     const std::set<unsigned int> new_nodes(nodes.begin(), nodes.end());
     if (result.handed_over.size() == 0)
       result.handed_over.reinit(solid_.n_dofs());
-    for (unsigned int i = 0; i < solid_.first_lumped(); ++i)
+    for (unsigned int i = 0; i < solid_.dof_map().n_body_dofs(); ++i)
       if (new_nodes.count(node_of_unknown_[i]) > 0 &&
           new_mass.redistribution.is_massless(i))
         {
@@ -320,17 +322,17 @@ namespace Signorini
     // So do the forces of inertia.
     Vector<double> inertia(solid_.n_dofs());
     old_mass.vmult(inertia, state.acceleration);
-    for (unsigned int i = 0; i < solid_.first_lumped(); ++i)
+    for (unsigned int i = 0; i < solid_.dof_map().n_body_dofs(); ++i)
       if (new_nodes.count(node_of_unknown_[i]) > 0 &&
           new_mass.redistribution.is_massless(i))
         new_mass.redistribution.hand_over(i, inertia);
-    accelerate(matrix, solid_.is_fixed(), inertia, result.acceleration);
-    solid_.constraints().distribute(result.acceleration);
+    accelerate(matrix, solid_.dof_map(), inertia, result.acceleration);
+    solid_.dof_map().constraints().distribute(result.acceleration);
     new_mass.redistribution.extrapolate(result.acceleration);
 
     new_mass.redistribution.extrapolate(result.velocity);
     keep_motion(old_mass, matrix, nodes, state.velocity, result);
-    solid_.constraints().distribute(result.velocity);
+    solid_.dof_map().constraints().distribute(result.velocity);
     new_mass.redistribution.extrapolate(result.velocity);
     return result;
   }
@@ -351,10 +353,10 @@ namespace Signorini
     // What had no mass was in balance: the forces of inertia stay.
     Vector<double> inertia(solid_.n_dofs());
     old_mass.vmult(inertia, state.acceleration);
-    accelerate(matrix, solid_.is_fixed(), inertia, result.acceleration);
-    solid_.constraints().distribute(result.acceleration);
+    accelerate(matrix, solid_.dof_map(), inertia, result.acceleration);
+    solid_.dof_map().constraints().distribute(result.acceleration);
     keep_motion(old_mass, matrix, state.massless_nodes, state.velocity, result);
-    solid_.constraints().distribute(result.velocity);
+    solid_.dof_map().constraints().distribute(result.velocity);
     return result;
   }
 
@@ -373,7 +375,7 @@ namespace Signorini
         const Body<dim> &body    = *part.body;
         const auto       all_of  = [](const unsigned int) { return true; };
         const auto       free_of = [&](const unsigned int i) {
-          return !solid_.is_fixed()[i];
+          return !solid_.dof_map().is_constrained(i);
         };
         if (std::none_of(nodes.begin(), nodes.end(), [&](const auto node) {
               return node >= body.first_dof() &&
@@ -407,6 +409,7 @@ namespace Signorini
 
 
 
-  template class ContactInertia<2>;
-  template class ContactInertia<3>;
+#define INSTANTIATE(dim) template class ContactInertia<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/dynamics/contact_work.h>
 #include <signorini/dynamics/step_failed.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,20 +123,15 @@ namespace Signorini
 
 
 
-  template void
-  return_contact_work(const ContactModel<2> &,
-                      const SolidModel<2>::RedistributedMass &,
-                      const State &,
-                      const std::vector<ContactPoint<2>> &,
-                      const StepContact<2> &,
-                      EffectiveSystem<2> &,
-                      State &);
-  template void
-  return_contact_work(const ContactModel<3> &,
-                      const SolidModel<3>::RedistributedMass &,
-                      const State &,
-                      const std::vector<ContactPoint<3>> &,
-                      const StepContact<3> &,
-                      EffectiveSystem<3> &,
-                      State &);
+#define INSTANTIATE(dim)                        \
+  template void return_contact_work(            \
+    const ContactModel<dim> &,                  \
+    const SolidModel<dim>::RedistributedMass &, \
+    const State &,                              \
+    const std::vector<ContactPoint<dim>> &,     \
+    const StepContact<dim> &,                   \
+    EffectiveSystem<dim> &,                     \
+    State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/dynamics/effective_system.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/cholesky_condensation.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/variational_inequality/kkt_residual.h>
@@ -98,7 +99,9 @@ namespace Signorini
     if (is_static)
       pin_free_modes();
     trailing_spring_.reinit(trailing_.size());
-    solver_->prepare(solid.sparsity(), solid.is_fixed(), trailing_);
+    solver_->prepare(solid.sparsity(),
+                     solid.dof_map().constrained(),
+                     trailing_);
     matrix_.reinit(solid.sparsity());
   }
 
@@ -120,7 +123,7 @@ namespace Signorini
     everything = 1.;
     replace_zeros(mode_stiffness_,
                   mean_stiffness(solid_.stiffness(), everything));
-    const auto pins = FreeModes::pins(motions, solid_.is_fixed());
+    const auto pins = FreeModes::pins(motions, solid_.dof_map());
     for (const unsigned int pin : pins)
       {
         const auto found = std::find(trailing_.begin(), trailing_.end(), pin);
@@ -174,8 +177,9 @@ namespace Signorini
       matrix_.add(factors.mass, *mass_);
     if (factors.damping != 0.)
       matrix_.add(factors.damping, solid_.damping());
-    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
-      matrix_.diag_element(i) *= factors.lumped;
+    for (unsigned int i = solid_.dof_map().n_body_dofs(); i < solid_.n_dofs();
+         ++i)
+      matrix_.diag_element(i) *= factors.rigid;
     is_indefinite_   = false;
     may_be_weak_     = tangent && (factors.mass == 0. || may_lack_mass_);
     trailing_spring_ = 0.;
@@ -243,7 +247,7 @@ namespace Signorini
               std::max(smallest, last_softness_ / (growth * growth));
           if (next > largest)
             throw;
-          for (unsigned int i = 0; i < solid_.first_lumped(); ++i)
+          for (unsigned int i = 0; i < solid_.dof_map().n_body_dofs(); ++i)
             matrix_.diag_element(i) +=
               (next - softness) * initial.diag_element(i);
           softness = next;
@@ -274,12 +278,12 @@ namespace Signorini
       // The conditions of optimality are not those that a penalty obeys, or a
       // friction that creeps.
       correction.kkt_residual =
-        algorithm_->obeys_the_law() ? residual_of_refined(solution) : 0.;
+        algorithm_->satisfies_coulomb() ? residual_of_refined(solution) : 0.;
     }
     const auto timing = timings_.measure(section_substitution_);
     correction.motion.reinit(residual.size());
     solver_->expand(solution.displacement, correction.motion);
-    solid_.constraints().distribute(correction.motion);
+    solid_.dof_map().constraints().distribute(correction.motion);
     correction.multipliers       = std::move(solution.forces);
     correction.is_slipping       = std::move(solution.is_slipping);
     correction.fallback_contacts = std::move(solution.fallback_contacts);
@@ -321,12 +325,13 @@ namespace Signorini
     stiffness_.solve_transposed_factor(trailing);
     Vector<double> motion(force.size());
     solver_->expand(trailing, motion);
-    solid_.constraints().distribute(motion);
+    solid_.dof_map().constraints().distribute(motion);
     return motion;
   }
 
 
 
-  template class EffectiveSystem<2>;
-  template class EffectiveSystem<3>;
+#define INSTANTIATE(dim) template class EffectiveSystem<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

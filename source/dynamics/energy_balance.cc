@@ -1,4 +1,5 @@
 #include <signorini/dynamics/energy_balance.h>
+#include <signorini/input/instantiate.h>
 
 namespace Signorini
 {
@@ -37,7 +38,8 @@ namespace Signorini
       }
     contact.add_contact_forces(points, state.contact_forces, -1., force);
     for (unsigned int i = 0; i < force.size(); ++i)
-      state.support_force[i] = solid.is_fixed()[i] ? force[i] : 0.;
+      state.support_force[i] =
+        solid.dof_map().is_constrained(i) ? force[i] : 0.;
   }
 
 
@@ -72,28 +74,17 @@ namespace Signorini
 
 
 
-  template void
-  measure_support_forces(const SolidModel<2> &,
-                         const SparseMatrix<double> *,
-                         const ContactModel<2> &,
-                         const std::vector<ContactPoint<2>> &,
-                         State &);
-  template void
-  measure_support_forces(const SolidModel<3> &,
-                         const SparseMatrix<double> *,
-                         const ContactModel<3> &,
-                         const std::vector<ContactPoint<3>> &,
-                         State &);
-  template void
-  measure_work(const SolidModel<2> &,
-               const StepContact<2> &,
-               const Vector<double> &,
-               const State &,
-               State &);
-  template void
-  measure_work(const SolidModel<3> &,
-               const StepContact<3> &,
-               const Vector<double> &,
-               const State &,
-               State &);
+#define INSTANTIATE(dim)                                                       \
+  template void measure_support_forces(const SolidModel<dim> &,                \
+                                       const SparseMatrix<double> *,           \
+                                       const ContactModel<dim> &,              \
+                                       const std::vector<ContactPoint<dim>> &, \
+                                       State &);                               \
+  template void measure_work(const SolidModel<dim> &,                          \
+                             const StepContact<dim> &,                         \
+                             const Vector<double> &,                           \
+                             const State &,                                    \
+                             State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

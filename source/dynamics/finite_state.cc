@@ -1,5 +1,6 @@
 #include <signorini/dynamics/finite_state.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <array>
@@ -81,8 +82,8 @@ namespace Signorini
 
 
 
-  template void
-  require_finite(const State &, const SolidModel<2> &);
-  template void
-  require_finite(const State &, const SolidModel<3> &);
+#define INSTANTIATE(dim) \
+  template void require_finite(const State &, const SolidModel<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -53,12 +53,11 @@ namespace Signorini
 
 
   std::vector<unsigned int>
-  FreeModes::pins(std::vector<Vector<double>> modes,
-                  const std::vector<bool>    &is_fixed)
+  FreeModes::pins(std::vector<Vector<double>> modes, const DofMap &dof_map)
   {
     for (auto &mode : modes)
       for (unsigned int u = 0; u < mode.size(); ++u)
-        if (is_fixed[u])
+        if (dof_map.is_constrained(u))
           mode[u] = 0.;
     std::vector<unsigned int> pins;
     for (unsigned int k = 0; k < modes.size(); ++k)

@@ -1,4 +1,5 @@
 #include <signorini/dynamics/initial_acceleration.h>
+#include <signorini/input/instantiate.h>
 
 namespace Signorini
 {
@@ -13,7 +14,8 @@ namespace Signorini
     {
       double square = 0.;
       for (unsigned int i = 0; i < solid.n_dofs(); ++i)
-        if (!solid.is_fixed()[i] && solid.mass().diag_element(i) > 0.)
+        if (!solid.dof_map().is_constrained(i) &&
+            solid.mass().diag_element(i) > 0.)
           square = std::max(square,
                             solid.stiffness().diag_element(i) /
                               solid.mass().diag_element(i));
@@ -57,25 +59,21 @@ namespace Signorini
         state.displacement[i] += correction.motion[i];
       else
         state.acceleration[i] += factor * correction.motion[i];
-    solid.constraints().distribute(state.displacement);
-    solid.constraints().distribute(state.acceleration);
+    solid.dof_map().constraints().distribute(state.displacement);
+    solid.dof_map().constraints().distribute(state.acceleration);
     mass.redistribution.extrapolate(state.acceleration);
   }
 
 
 
-  template void
-  balance_initial_acceleration(const SolidModel<2> &,
-                               const SolidModel<2>::RedistributedMass &,
-                               const std::vector<ContactPoint<2>> &,
-                               const std::vector<double> &,
-                               EffectiveSystem<2> &,
-                               State &);
-  template void
-  balance_initial_acceleration(const SolidModel<3> &,
-                               const SolidModel<3>::RedistributedMass &,
-                               const std::vector<ContactPoint<3>> &,
-                               const std::vector<double> &,
-                               EffectiveSystem<3> &,
-                               State &);
+#define INSTANTIATE(dim)                        \
+  template void balance_initial_acceleration(   \
+    const SolidModel<dim> &,                    \
+    const SolidModel<dim>::RedistributedMass &, \
+    const std::vector<ContactPoint<dim>> &,     \
+    const std::vector<double> &,                \
+    EffectiveSystem<dim> &,                     \
+    State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // where its stiffness is not positive definite by itself.
 #include <signorini/dynamics/effective_system.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -245,14 +246,11 @@ namespace Signorini
 
 
 
-  template InterfaceSolution
-  EffectiveSystem<2>::solve_interface_problem(
-    const std::vector<ContactPoint<2>> &,
-    const InterfaceForces &,
+#define INSTANTIATE(dim)                                                    \
+  template InterfaceSolution EffectiveSystem<dim>::solve_interface_problem( \
+    const std::vector<ContactPoint<dim>> &,                                 \
+    const InterfaceForces &,                                                \
     Vector<double> &);
-  template InterfaceSolution
-  EffectiveSystem<3>::solve_interface_problem(
-    const std::vector<ContactPoint<3>> &,
-    const InterfaceForces &,
-    Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

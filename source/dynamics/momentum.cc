@@ -1,4 +1,5 @@
 #include <signorini/dynamics/momentum.h>
+#include <signorini/input/instantiate.h>
 
 namespace Signorini
 {
@@ -76,12 +77,10 @@ namespace Signorini
 
 
 
-  template std::vector<BodyMotion>
-  body_motions(const SolidModel<2> &,
-               const SparseMatrix<double> &,
-               const State &);
-  template std::vector<BodyMotion>
-  body_motions(const SolidModel<3> &,
-               const SparseMatrix<double> &,
-               const State &);
+#define INSTANTIATE(dim)                                                      \
+  template std::vector<BodyMotion> body_motions(const SolidModel<dim> &,      \
+                                                const SparseMatrix<double> &, \
+                                                const State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

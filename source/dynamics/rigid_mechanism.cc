@@ -1,4 +1,5 @@
 #include <signorini/dynamics/rigid_mechanism.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/variational_inequality/bound_constrained_qp.h>
 
 #include <algorithm>
@@ -265,6 +266,7 @@ namespace Signorini
 
 
 
-  template class RigidMechanism<2>;
-  template class RigidMechanism<3>;
+#define INSTANTIATE(dim) template class RigidMechanism<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/dynamics/slip.h>
+#include <signorini/input/instantiate.h>
 
 #include <cmath>
 
@@ -66,16 +67,14 @@ namespace Signorini
 
 
 
-  template std::vector<double>
-  friction_coefficients(const ContactModel<2> &, const State &);
-  template std::vector<double>
-  friction_coefficients(const ContactModel<3> &, const State &);
-  template void
-  find_initial_slip(const std::vector<ContactPoint<2>> &, State &);
-  template void
-  find_initial_slip(const std::vector<ContactPoint<3>> &, State &);
-  template void
-  measure_slip(const double, const std::vector<ContactPoint<2>> &, State &);
-  template void
-  measure_slip(const double, const std::vector<ContactPoint<3>> &, State &);
+#define INSTANTIATE(dim)                                                  \
+  template std::vector<double> friction_coefficients(                     \
+    const ContactModel<dim> &, const State &);                            \
+  template void find_initial_slip(const std::vector<ContactPoint<dim>> &, \
+                                  State &);                               \
+  template void measure_slip(const double,                                \
+                             const std::vector<ContactPoint<dim>> &,      \
+                             State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/dynamics/step_contact.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,7 @@ namespace Signorini
 
 
 
-  template class StepContact<2>;
-  template class StepContact<3>;
+#define INSTANTIATE(dim) template class StepContact<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

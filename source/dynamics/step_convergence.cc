@@ -1,6 +1,7 @@
 // The part of TimeStep that judges an iterate.
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/as_text.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,7 @@ namespace Signorini
     const double scale   = force_scale(state, multipliers);
     double       largest = 0.;
     for (unsigned int i = 0; i < residual.size(); ++i)
-      if (!solid_.is_fixed()[i])
+      if (!solid_.dof_map().is_constrained(i))
         largest = std::isnan(residual[i]) ?
                     std::numeric_limits<double>::infinity() :
                     std::max(largest, std::abs(residual[i]));
@@ -90,7 +91,7 @@ namespace Signorini
         const Vector<double> rounding = force_rounding(step_size);
         largest                       = 0.;
         for (unsigned int i = 0; i < residual.size(); ++i)
-          if (!solid_.is_fixed()[i] && residual[i] != 0.)
+          if (!solid_.dof_map().is_constrained(i) && residual[i] != 0.)
             {
               const double size = std::abs(residual[i]);
               largest = std::max(largest, size - rounding_share * rounding[i]);
@@ -308,9 +309,9 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::refuse_passage(const State   &old_state,
-                                const Iterate &iterate,
-                                const State   &state) const
+  TimeStep<dim>::refuse_tunnelling(const State   &old_state,
+                                   const Iterate &iterate,
+                                   const State   &state) const
   {
     const auto        timing = timings_.measure(section_contact_);
     std::vector<bool> closed(contact_.n_contacts());
@@ -318,10 +319,10 @@ namespace Signorini
       closed[k] = iterate.multipliers.normal[k] > 0. ||
                   old_state.contact_forces.normal[k] > 0.;
     const auto passed =
-      contact_.passed_targets({state.displacement, state.time},
-                              {old_state.displacement, old_state.time},
-                              old_state.gaps,
-                              closed);
+      contact_.tunnelling_candidates({state.displacement, state.time},
+                                     {old_state.displacement, old_state.time},
+                                     old_state.gaps,
+                                     closed);
     if (!passed.empty())
       throw StepFailed("nodes pass through a surface within the step: " +
                        contact_.candidates_in_words(passed));
@@ -329,74 +330,40 @@ namespace Signorini
 
 
 
-  template void
-  TimeStep<2>::refuse_collapse(const State &, const State &) const;
-  template void
-  TimeStep<2>::refuse_passage(const State &,
-                              const Iterate &,
-                              const State &) const;
-  template void
-  TimeStep<2>::measure_balance(const double,
-                               Vector<double>,
-                               const std::vector<ContactPoint<2>> &,
-                               const InterfaceForces &,
-                               State &);
-  template Vector<double>
-  TimeStep<2>::force_rounding(const double) const;
-  template double
-  TimeStep<2>::force_scale(const State &, const InterfaceForces &) const;
-  template double
-  TimeStep<2>::relative_force_change(const double,
-                                     const State &,
-                                     const InterfaceForces &,
-                                     const InterfaceForces &) const;
-  template bool
-  TimeStep<2>::is_balanced(const State &) const;
-  template std::optional<TimeStep<2>::UnmetCriterion>
-  TimeStep<2>::unmet_criterion(const State &,
-                               const std::vector<ContactPoint<2>> &,
-                               const Iterate &) const;
-  template std::optional<TimeStep<2>::UnmetCriterion>
-  TimeStep<2>::unmet_gap(const State &,
-                         const std::vector<ContactPoint<2>> &,
-                         const Iterate &) const;
-  template TimeStep<2>::UnmetCriterion
-  TimeStep<2>::unmet_balance(const State &) const;
-  template std::string
-  TimeStep<2>::failure_message(const State &, const UnmetCriterion &) const;
-  template void
-  TimeStep<3>::refuse_collapse(const State &, const State &) const;
-  template void
-  TimeStep<3>::refuse_passage(const State &,
-                              const Iterate &,
-                              const State &) const;
-  template void
-  TimeStep<3>::measure_balance(const double,
-                               Vector<double>,
-                               const std::vector<ContactPoint<3>> &,
-                               const InterfaceForces &,
-                               State &);
-  template Vector<double>
-  TimeStep<3>::force_rounding(const double) const;
-  template double
-  TimeStep<3>::force_scale(const State &, const InterfaceForces &) const;
-  template double
-  TimeStep<3>::relative_force_change(const double,
-                                     const State &,
-                                     const InterfaceForces &,
-                                     const InterfaceForces &) const;
-  template bool
-  TimeStep<3>::is_balanced(const State &) const;
-  template std::optional<TimeStep<3>::UnmetCriterion>
-  TimeStep<3>::unmet_criterion(const State &,
-                               const std::vector<ContactPoint<3>> &,
-                               const Iterate &) const;
-  template std::optional<TimeStep<3>::UnmetCriterion>
-  TimeStep<3>::unmet_gap(const State &,
-                         const std::vector<ContactPoint<3>> &,
-                         const Iterate &) const;
-  template TimeStep<3>::UnmetCriterion
-  TimeStep<3>::unmet_balance(const State &) const;
-  template std::string
-  TimeStep<3>::failure_message(const State &, const UnmetCriterion &) const;
+#define INSTANTIATE(dim)                                                                                  \
+  template void TimeStep<dim>::refuse_collapse(const State &, const State &)                              \
+    const;                                                                                                \
+  template void TimeStep<dim>::refuse_tunnelling(const State &,                                           \
+                                                 const Iterate &,                                         \
+                                                 const State &) const;                                    \
+  template void TimeStep<dim>::measure_balance(                                                           \
+    const double,                                                                                         \
+    Vector<double>,                                                                                       \
+    const std::vector<ContactPoint<dim>> &,                                                               \
+    const InterfaceForces &,                                                                              \
+    State &);                                                                                             \
+  template Vector<double> TimeStep<dim>::force_rounding(const double) const;                              \
+  template double         TimeStep<dim>::force_scale(const State &,                                       \
+                                             const InterfaceForces &) const;                      \
+  template double         TimeStep<dim>::relative_force_change(                                           \
+    const double,                                                                                 \
+    const State &,                                                                                \
+    const InterfaceForces &,                                                                      \
+    const InterfaceForces &) const;                                                               \
+  template bool TimeStep<dim>::is_balanced(const State &) const;                                          \
+  template std::optional<TimeStep<dim>::UnmetCriterion>                                                   \
+  TimeStep<dim>::unmet_criterion(const State &,                                                           \
+                                 const std::vector<ContactPoint<dim>> &,                                  \
+                                 const Iterate &) const;                                                  \
+  template std::optional<TimeStep<dim>::UnmetCriterion>                                                   \
+                                         TimeStep<dim>::unmet_gap(const State &,                          \
+                           const std::vector<ContactPoint<dim>> &, \
+                           const Iterate &) const;                 \
+  template TimeStep<dim>::UnmetCriterion TimeStep<dim>::unmet_balance(                                    \
+    const State &) const;                                                                                 \
+  template std::string TimeStep<dim>::failure_message(const State &,                                      \
+                                                      const UnmetCriterion &)                             \
+    const;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -5,6 +5,7 @@
 #include <signorini/dynamics/slip.h>
 #include <signorini/dynamics/step_contact.h>
 #include <signorini/dynamics/time_step.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 
@@ -89,7 +90,7 @@ namespace Signorini
     // At the end of a step nothing else is known of it: what Newmark's formula
     // gives there swings around it from step to step.
     for (unsigned int i = 0; i < solid_.n_dofs(); ++i)
-      if (!solid_.is_given()[i])
+      if (!solid_.dof_map().is_prescribed(i))
         state.acceleration[i] =
           (state.velocity[i] - old_state.velocity[i]) / step_size;
   }
@@ -112,7 +113,7 @@ namespace Signorini
     Vector<double> lacking(residual);
     contact_.add_contact_forces(points, state.contact_forces, 1., lacking);
     for (unsigned int i = 0; i < mean.size(); ++i)
-      mean[i] = solid_.is_fixed()[i] ? -lacking[i] : 0.;
+      mean[i] = solid_.dof_map().is_constrained(i) ? -lacking[i] : 0.;
     return mean;
   }
 
@@ -157,7 +158,6 @@ namespace Signorini
   template void TimeStep<dim>::measure_supports(                              \
     const std::vector<ContactPoint<dim>> &, State &);                         \
   template void TimeStep<dim>::measure_motion(State &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 // The part of TimeStep that asks the bodies for their forces.
 #include <signorini/dynamics/time_step.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 
 #include <algorithm>
@@ -227,7 +228,8 @@ namespace Signorini
                                     const double step_size,
                                     State       &state) const
   {
-    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+    for (unsigned int i = solid_.dof_map().n_body_dofs(); i < solid_.n_dofs();
+         ++i)
       {
         const double factor =
           scheme_.rigid_bodies.acceleration_factor(step_size);
@@ -253,7 +255,8 @@ namespace Signorini
   {
     const double alpha_B = scheme_.rigid_bodies.alpha_B;
     const double alpha_H = scheme_.rigid_bodies.alpha_H;
-    for (unsigned int i = solid_.first_lumped(); i < solid_.n_dofs(); ++i)
+    for (unsigned int i = solid_.dof_map().n_body_dofs(); i < solid_.n_dofs();
+         ++i)
       residual[i] = ((1. - alpha_H) * state.external_force[i] +
                      alpha_H * old_state.external_force[i] -
                      solid_.mass().diag_element(i) *
@@ -264,48 +267,27 @@ namespace Signorini
 
 
 
-  template typename EffectiveSystem<2>::Factors
-  TimeStep<2>::effective_factors(const double) const;
-  template void
-  TimeStep<2>::respond(const State &, const double, State &);
-  template bool
-  TimeStep<2>::has_tangent_of(const State &) const;
-  template void
-  TimeStep<2>::move_supports(const State &, const double, State &);
-  template void
-  TimeStep<2>::factorise(const double, const State &);
-  template void
-  TimeStep<2>::note_indefinite(const unsigned int, const State &);
-  template void
-  TimeStep<2>::update_rates(const State &, const double, State &) const;
-  template void
-  TimeStep<2>::update_rigid_rates(const State &, const double, State &) const;
-  template void
-  TimeStep<2>::set_rigid_residual(const State &,
-                                  const State &,
-                                  Vector<double> &) const;
-  template Vector<double>
-  TimeStep<2>::residual(const State &, const State &);
-  template typename EffectiveSystem<3>::Factors
-  TimeStep<3>::effective_factors(const double) const;
-  template void
-  TimeStep<3>::respond(const State &, const double, State &);
-  template bool
-  TimeStep<3>::has_tangent_of(const State &) const;
-  template void
-  TimeStep<3>::move_supports(const State &, const double, State &);
-  template void
-  TimeStep<3>::factorise(const double, const State &);
-  template void
-  TimeStep<3>::note_indefinite(const unsigned int, const State &);
-  template void
-  TimeStep<3>::update_rates(const State &, const double, State &) const;
-  template void
-  TimeStep<3>::update_rigid_rates(const State &, const double, State &) const;
-  template void
-  TimeStep<3>::set_rigid_residual(const State &,
-                                  const State &,
-                                  Vector<double> &) const;
-  template Vector<double>
-  TimeStep<3>::residual(const State &, const State &);
+#define INSTANTIATE(dim)                                                      \
+  template typename EffectiveSystem<dim>::Factors                             \
+                TimeStep<dim>::effective_factors(const double) const;         \
+  template void TimeStep<dim>::respond(const State &, const double, State &); \
+  template bool TimeStep<dim>::has_tangent_of(const State &) const;           \
+  template void TimeStep<dim>::move_supports(const State &,                   \
+                                             const double,                    \
+                                             State &);                        \
+  template void TimeStep<dim>::factorise(const double, const State &);        \
+  template void TimeStep<dim>::note_indefinite(const unsigned int,            \
+                                               const State &);                \
+  template void TimeStep<dim>::update_rates(const State &,                    \
+                                            const double,                     \
+                                            State &) const;                   \
+  template void TimeStep<dim>::update_rigid_rates(const State &,              \
+                                                  const double,               \
+                                                  State &) const;             \
+  template void TimeStep<dim>::set_rigid_residual(const State &,              \
+                                                  const State &,              \
+                                                  Vector<double> &) const;    \
+  template Vector<double> TimeStep<dim>::residual(const State &, const State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

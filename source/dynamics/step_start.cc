@@ -2,6 +2,7 @@
 // than the bodies can follow.
 #include <signorini/dynamics/rigid_mechanism.h>
 #include <signorini/dynamics/time_step.h>
+#include <signorini/input/instantiate.h>
 
 #include <algorithm>
 
@@ -172,32 +173,18 @@ namespace Signorini
 
 
 
-  template InterfaceForces
-  TimeStep<2>::approach_contact(const double, State &);
-  template void
-  TimeStep<2>::begin(const State &, const Step &, State &);
-  template bool
-  TimeStep<2>::predict(const State &, const Step &, State &);
-  template double
-  TimeStep<2>::first_share() const;
-  template double
-  TimeStep<2>::follow(const State &,
-                      const double,
-                      const EffectiveSystem<2>::Correction &,
-                      InterfaceForces &,
-                      State &);
-  template InterfaceForces
-  TimeStep<3>::approach_contact(const double, State &);
-  template void
-  TimeStep<3>::begin(const State &, const Step &, State &);
-  template bool
-  TimeStep<3>::predict(const State &, const Step &, State &);
-  template double
-  TimeStep<3>::first_share() const;
-  template double
-  TimeStep<3>::follow(const State &,
-                      const double,
-                      const EffectiveSystem<3>::Correction &,
-                      InterfaceForces &,
-                      State &);
+#define INSTANTIATE(dim)                                                        \
+  template InterfaceForces TimeStep<dim>::approach_contact(const double,        \
+                                                           State &);            \
+  template void   TimeStep<dim>::begin(const State &, const Step &, State &);   \
+  template bool   TimeStep<dim>::predict(const State &, const Step &, State &); \
+  template double TimeStep<dim>::first_share() const;                           \
+  template double TimeStep<dim>::follow(                                        \
+    const State &,                                                              \
+    const double,                                                               \
+    const EffectiveSystem<dim>::Correction &,                                   \
+    InterfaceForces &,                                                          \
+    State &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

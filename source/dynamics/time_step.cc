@@ -3,6 +3,7 @@
 #include <signorini/dynamics/slip.h>
 #include <signorini/dynamics/step_scheme.h>
 #include <signorini/dynamics/time_step.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/variational_inequality/interface_error.h>
 
 #include <algorithm>
@@ -250,7 +251,7 @@ namespace Signorini
             const auto nodes = inertia_.pressed(iterate.multipliers, old_state);
             if (!nodes.empty())
               return nodes;
-            refuse_passage(old_state, iterate, state);
+            refuse_tunnelling(old_state, iterate, state);
             finish(old_state,
                    step.size,
                    force,
@@ -367,6 +368,7 @@ namespace Signorini
 
 
 
-  template class TimeStep<2>;
-  template class TimeStep<3>;
+#define INSTANTIATE(dim) template class TimeStep<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

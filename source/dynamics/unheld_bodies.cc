@@ -1,6 +1,7 @@
 #include <signorini/dynamics/rigid_mechanism.h>
 #include <signorini/dynamics/unheld_bodies.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/solid/rigid_motion.h>
 
@@ -34,7 +35,7 @@ namespace Signorini
       for (const auto &part : solid.parts())
         for (auto &mode : free_rigid_modes(*part.body,
                                            Vector<double>(solid.n_dofs()),
-                                           solid.is_given(),
+                                           solid.dof_map(),
                                            part.supports.sliding_nodes()))
           {
             bool touched = false;
@@ -49,7 +50,7 @@ namespace Signorini
         for (unsigned int c = 0; c < body->unknowns().size(); ++c)
           {
             const unsigned int dof = body->first_unknown() + c;
-            if (solid.is_fixed()[dof])
+            if (solid.dof_map().is_constrained(dof))
               continue;
             RigidMode mode;
             mode.name = c == dim ? std::string("rotation about z") :
@@ -134,16 +135,13 @@ namespace Signorini
 
 
 
-  template void
-  refuse_unheld_bodies(const SolidModel<2> &,
-                       const ContactModel<2> &,
-                       const std::vector<std::unique_ptr<RigidBody<2>>> &,
-                       const Vector<double> &,
-                       const double);
-  template void
-  refuse_unheld_bodies(const SolidModel<3> &,
-                       const ContactModel<3> &,
-                       const std::vector<std::unique_ptr<RigidBody<3>>> &,
-                       const Vector<double> &,
-                       const double);
+#define INSTANTIATE(dim)                                  \
+  template void refuse_unheld_bodies(                     \
+    const SolidModel<dim> &,                              \
+    const ContactModel<dim> &,                            \
+    const std::vector<std::unique_ptr<RigidBody<dim>>> &, \
+    const Vector<double> &,                               \
+    const double);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/geometry/boundary_distance.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/tria_accessor.h>
@@ -98,10 +99,10 @@ namespace Signorini
                     nearest;
   }
 
-  template class BoundaryDistance<2>;
-  template class BoundaryDistance<3>;
-  template double
-  distance_from<2>(const std::array<Point<2>, 2> &, const Point<2> &);
-  template double
-  distance_from<3>(const std::array<Point<3>, 2> &, const Point<3> &);
+#define INSTANTIATE(dim)                                                \
+  template class BoundaryDistance<dim>;                                 \
+  template double distance_from<dim>(const std::array<Point<dim>, 2> &, \
+                                     const Point<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/geometry/chords.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/manifold.h>
@@ -95,8 +96,10 @@ namespace Signorini
 
 
 
-  template Chords
-  find_chords(const Mesh<2> &, const std::string &, const double);
-  template Chords
-  find_chords(const Mesh<3> &, const std::string &, const double);
+#define INSTANTIATE(dim)                           \
+  template Chords find_chords(const Mesh<dim> &,   \
+                              const std::string &, \
+                              const double);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/geometry/empty_mesh.h>
+#include <signorini/input/instantiate.h>
 
 namespace Signorini
 {
@@ -16,8 +17,7 @@ namespace Signorini
     return mesh;
   }
 
-  template Mesh<2>
-  empty_mesh<2>();
-  template Mesh<3>
-  empty_mesh<3>();
+#define INSTANTIATE(dim) template Mesh<dim> empty_mesh<dim>();
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/memory_estimate.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -113,8 +114,8 @@ namespace Signorini
                      text(entry) + ": " + rule);
   }
 
-  template Point<2>
-  Entries::point<2>(const std::string &) const;
-  template Point<3>
-  Entries::point<3>(const std::string &) const;
+#define INSTANTIATE(dim) \
+  template Point<dim> Entries::point<dim>(const std::string &) const;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/geometry/mesh.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/nearest_name.h>
 
 namespace Signorini
@@ -22,6 +23,7 @@ namespace Signorini
                      did_you_mean(name, names));
   }
 
-  template struct Mesh<2>;
-  template struct Mesh<3>;
+#define INSTANTIATE(dim) template struct Mesh<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_cutout.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_tools.h>
@@ -232,6 +233,7 @@ namespace Signorini
 
 
 
-  template struct MeshCutout<2>;
-  template struct MeshCutout<3>;
+#define INSTANTIATE(dim) template struct MeshCutout<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

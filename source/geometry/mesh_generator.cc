@@ -13,6 +13,7 @@
 #include <signorini/geometry/shapes/ring.h>
 #include <signorini/geometry/shapes/tube.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -201,24 +202,13 @@ namespace Signorini
             }
   }
 
-  template EntryConditions
-  mesh_conditions<2>();
-  template EntryConditions
-  mesh_conditions<3>();
-  template void
-  declare_mesh_parameters<2>(ParameterHandler &);
-  template void
-  declare_mesh_parameters<3>(ParameterHandler &);
-  template Mesh<2>
-  create_mesh<2>(const ParameterHandler &,
-                 const std::string &,
-                 const std::string &);
-  template Mesh<3>
-  create_mesh<3>(const ParameterHandler &,
-                 const std::string &,
-                 const std::string &);
-  template void
-  check_axisymmetric<2>(const Mesh<2> &);
-  template void
-  check_axisymmetric<3>(const Mesh<3> &);
+#define INSTANTIATE(dim)                                                     \
+  template EntryConditions mesh_conditions<dim>();                           \
+  template void            declare_mesh_parameters<dim>(ParameterHandler &); \
+  template Mesh<dim>       create_mesh<dim>(const ParameterHandler &,        \
+                                      const std::string &,             \
+                                      const std::string &);            \
+  template void            check_axisymmetric<dim>(const Mesh<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

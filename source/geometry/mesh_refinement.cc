@@ -6,6 +6,7 @@
 #include <signorini/geometry/neighbourhood.h>
 #include <signorini/geometry/refinement_passes.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -254,14 +255,12 @@ namespace Signorini
 
 
 
-  template struct MeshRefinement<2>;
-  template struct MeshRefinement<3>;
-  template void
-  refine_globally<2>(Triangulation<2> &, const unsigned int);
-  template void
-  refine_globally<3>(Triangulation<3> &, const unsigned int);
-  template void
-  refine_again<2>(const RefinementPasses &, Triangulation<2> &);
-  template void
-  refine_again<3>(const RefinementPasses &, Triangulation<3> &);
+#define INSTANTIATE(dim)                                    \
+  template struct MeshRefinement<dim>;                      \
+  template void refine_globally<dim>(Triangulation<dim> &,  \
+                                     const unsigned int);   \
+  template void refine_again<dim>(const RefinementPasses &, \
+                                  Triangulation<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

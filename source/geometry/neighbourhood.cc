@@ -1,4 +1,5 @@
 #include <signorini/geometry/neighbourhood.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
 #include <deal.II/base/patterns.h>
@@ -59,10 +60,10 @@ namespace Signorini
     return is_sane(value) ? value : no_number;
   }
 
-  template struct Neighbourhood<2>;
-  template struct Neighbourhood<3>;
-  template std::optional<Neighbourhood<2>>
-  parse_neighbourhood<2>(const std::string &, const std::string &);
-  template std::optional<Neighbourhood<3>>
-  parse_neighbourhood<3>(const std::string &, const std::string &);
+#define INSTANTIATE(dim)                                               \
+  template struct Neighbourhood<dim>;                                  \
+  template std::optional<Neighbourhood<dim>> parse_neighbourhood<dim>( \
+    const std::string &, const std::string &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

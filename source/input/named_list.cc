@@ -1,5 +1,6 @@
 #include <signorini/input/formula.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
 #include <deal.II/base/numbers.h>
@@ -122,12 +123,11 @@ namespace Signorini
 
 
 
-  template unsigned int
-  parse_component<2>(const std::string &, const std::string &);
-  template unsigned int
-  parse_component<3>(const std::string &, const std::string &);
-  template Point<2>
-  parse_point<2>(const std::string &, const std::string &);
-  template Point<3>
-  parse_point<3>(const std::string &, const std::string &);
+#define INSTANTIATE(dim)                                           \
+  template unsigned int parse_component<dim>(const std::string &,  \
+                                             const std::string &); \
+  template Point<dim>   parse_point<dim>(const std::string &,      \
+                                       const std::string &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

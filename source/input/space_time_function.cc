@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/input/space_time_function.h>
 
@@ -105,6 +106,7 @@ namespace Signorini
 
 
 
-  template class SpaceTimeFunction<2>;
-  template class SpaceTimeFunction<3>;
+#define INSTANTIATE(dim) template class SpaceTimeFunction<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

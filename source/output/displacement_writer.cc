@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/output/displacement_writer.h>
 #include <signorini/output/pvd_file.h>
 
@@ -105,6 +106,7 @@ namespace Signorini
 
 
 
-  template class DisplacementWriter<2>;
-  template class DisplacementWriter<3>;
+#define INSTANTIATE(dim) template class DisplacementWriter<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

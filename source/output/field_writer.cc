@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/output/field_writer.h>
 
 #include <deal.II/numerics/data_out.h>
@@ -90,6 +91,7 @@ namespace Signorini
 
 
 
-  template class FieldWriter<2>;
-  template class FieldWriter<3>;
+#define INSTANTIATE(dim) template class FieldWriter<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/output/surface_table.h>
 
@@ -49,8 +50,9 @@ namespace Signorini
 
 
 
-  template void
-  write_surface_table(const SurfaceData<2> &, const std::string &);
-  template void
-  write_surface_table(const SurfaceData<3> &, const std::string &);
+#define INSTANTIATE(dim)                                      \
+  template void write_surface_table(const SurfaceData<dim> &, \
+                                    const std::string &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

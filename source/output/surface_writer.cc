@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/output/surface_writer.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -134,6 +135,7 @@ namespace Signorini
 
 
 
-  template class SurfaceWriter<2>;
-  template class SurfaceWriter<3>;
+#define INSTANTIATE(dim) template class SurfaceWriter<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

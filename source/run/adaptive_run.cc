@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/output/checkpoint.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/run/adaptive_run.h>
@@ -128,16 +129,9 @@ namespace Signorini
 
 
 
-  template void
-  adapt_meshes(const ProblemCreator<2> &,
-               RunTask &,
-               Problem<2> &,
-               Timings &,
-               Log &);
-  template void
-  adapt_meshes(const ProblemCreator<3> &,
-               RunTask &,
-               Problem<3> &,
-               Timings &,
-               Log &);
+#define INSTANTIATE(dim)      \
+  template void adapt_meshes( \
+    const ProblemCreator<dim> &, RunTask &, Problem<dim> &, Timings &, Log &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

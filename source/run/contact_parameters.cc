@@ -2,6 +2,7 @@
 #include <signorini/contact/facet_target.h>
 #include <signorini/contact/rigid_target.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/input/nearest_name.h>
 #include <signorini/run/contact_parameters.h>
@@ -91,7 +92,7 @@ namespace Signorini
       if constexpr (dim == 2)
         return std::make_unique<DeformingCurve>(*side.body,
                                                 side.boundary,
-                                                solid.is_fixed(),
+                                                solid.dof_map(),
                                                 surface);
       else
         return std::make_unique<FacetTarget>(*side.body,
@@ -376,18 +377,16 @@ namespace Signorini
         refuse_friction_of_three_dimensions(parameters.algorithm.algorithm,
                                             pair.friction);
     return std::make_unique<ContactModel<dim>>(std::move(pairs),
-                                               solid.is_fixed(),
-                                               solid.constraints());
+                                               solid.dof_map());
   }
 
 
 
-  template std::unique_ptr<ContactModel<2>>
-  create_contact_model(const ContactParameters &,
-                       const SolidModel<2> &,
-                       const std::vector<std::unique_ptr<RigidBody<2>>> &);
-  template std::unique_ptr<ContactModel<3>>
-  create_contact_model(const ContactParameters &,
-                       const SolidModel<3> &,
-                       const std::vector<std::unique_ptr<RigidBody<3>>> &);
+#define INSTANTIATE(dim)                                            \
+  template std::unique_ptr<ContactModel<dim>> create_contact_model( \
+    const ContactParameters &,                                      \
+    const SolidModel<dim> &,                                        \
+    const std::vector<std::unique_ptr<RigidBody<dim>>> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_pressures.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/run/history_columns.h>
 
@@ -307,12 +308,11 @@ namespace Signorini
 
 
 
-  template void
-  add_history_columns<2>(const Problem<2> &, History &);
-  template void
-  add_history_columns<3>(const Problem<3> &, History &);
-  template void
-  append_history_row<2>(const Problem<2> &, const State &, History &);
-  template void
-  append_history_row<3>(const Problem<3> &, const State &, History &);
+#define INSTANTIATE(dim)                                                   \
+  template void add_history_columns<dim>(const Problem<dim> &, History &); \
+  template void append_history_row<dim>(const Problem<dim> &,              \
+                                        const State &,                     \
+                                        History &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/input/declared_parameters.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/parameter_statements.h>
 #include <signorini/run/input_record.h>
 
@@ -127,8 +128,8 @@ namespace Signorini
 
 
 
-  template unsigned int
-  geometry_checksum(const Problem<2> &);
-  template unsigned int
-  geometry_checksum(const Problem<3> &);
+#define INSTANTIATE(dim) \
+  template unsigned int geometry_checksum(const Problem<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

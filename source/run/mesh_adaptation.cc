@@ -1,5 +1,6 @@
 #include <signorini/contact/contact_zone.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
 #include <signorini/run/history_columns.h>
 #include <signorini/run/mesh_adaptation.h>
@@ -354,6 +355,7 @@ namespace Signorini
 
 
 
-  template class MeshAdaptation<2>;
-  template class MeshAdaptation<3>;
+#define INSTANTIATE(dim) template class MeshAdaptation<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

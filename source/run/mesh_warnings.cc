@@ -1,4 +1,5 @@
 #include <signorini/geometry/chords.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/run/mesh_warnings.h>
 
 #include <sstream>
@@ -90,8 +91,8 @@ namespace Signorini
 
 
 
-  template std::string
-  mesh_warnings(const Problem<2> &);
-  template std::string
-  mesh_warnings(const Problem<3> &);
+#define INSTANTIATE(dim) \
+  template std::string mesh_warnings(const Problem<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/run/output_parameters.h>
 
@@ -164,6 +165,7 @@ namespace Signorini
 
 
 
-  template struct OutputParameters<2>;
-  template struct OutputParameters<3>;
+#define INSTANTIATE(dim) template struct OutputParameters<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

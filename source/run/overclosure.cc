@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/run/overclosure.h>
 
 #include <limits>
@@ -131,16 +132,12 @@ namespace Signorini
 
 
 
-  template void
-  treat_overclosure(const std::vector<PairParameters> &,
-                    const Vector<double> &,
-                    ContactModel<2> &);
-  template void
-  treat_overclosure(const std::vector<PairParameters> &,
-                    const Vector<double> &,
-                    ContactModel<3> &);
-  template std::string
-  describe_pairs(const ContactModel<2> &, const Vector<double> &);
-  template std::string
-  describe_pairs(const ContactModel<3> &, const Vector<double> &);
+#define INSTANTIATE(dim)                                                      \
+  template void        treat_overclosure(const std::vector<PairParameters> &, \
+                                         const Vector<double> &,              \
+                                         ContactModel<dim> &);                \
+  template std::string describe_pairs(const ContactModel<dim> &,              \
+                                      const Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/run/overlap_watch.h>
 
 #include <algorithm>
@@ -130,7 +131,7 @@ namespace Signorini
                        problem_.contact->extent());
       }
     double of_nodes = 0.;
-    for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
+    for (unsigned int i = 0; i < problem_.solid->dof_map().n_body_dofs(); ++i)
       of_nodes =
         std::max(of_nodes,
                  std::abs(configuration.displacement[i] - displacement_[i]));
@@ -275,6 +276,7 @@ namespace Signorini
 
 
 
-  template class OverlapWatch<2>;
-  template class OverlapWatch<3>;
+#define INSTANTIATE(dim) template class OverlapWatch<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

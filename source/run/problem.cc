@@ -1,5 +1,6 @@
 #include <signorini/dynamics/unheld_bodies.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/run/overclosure.h>
 #include <signorini/run/problem.h>
@@ -111,9 +112,9 @@ namespace Signorini
     }
 
     void
-    refuse_missing_mass(const std::string                &name,
-                        const bool                        is_dynamic,
-                        const std::vector<LumpedUnknown> &unknowns)
+    refuse_missing_mass(const std::string               &name,
+                        const bool                       is_dynamic,
+                        const std::vector<RigidBodyDof> &unknowns)
     {
       for (unsigned int c = 0; c < unknowns.size(); ++c)
         if (is_dynamic && !unknowns[c].motion && unknowns[c].mass <= 0.)
@@ -316,7 +317,7 @@ namespace Signorini
           {std::move(body), std::move(loads), std::move(supports)});
         prm.leave_subsection();
       }
-    std::vector<LumpedUnknown> lumped;
+    std::vector<RigidBodyDof> rigid_body_dofs;
     for (const auto &name : outline.rigid_bodies)
       {
         prm.enter_subsection("Rigid body " + name);
@@ -325,10 +326,13 @@ namespace Signorini
         prm.leave_subsection();
         const auto unknowns = problem.rigid_bodies.back()->unknowns();
         refuse_missing_mass(name, problem.time.dynamic, unknowns);
-        lumped.insert(lumped.end(), unknowns.begin(), unknowns.end());
+        rigid_body_dofs.insert(rigid_body_dofs.end(),
+                               unknowns.begin(),
+                               unknowns.end());
         n_dofs += unknowns.size();
       }
-    problem.solid = std::make_unique<SolidModel<dim>>(std::move(parts), lumped);
+    problem.solid =
+      std::make_unique<SolidModel<dim>>(std::move(parts), rigid_body_dofs);
     problem.time.parse_scheme(kinematics == Kinematics::finite_strain &&
                                 is_elastic(*problem.solid),
                               prm);
@@ -349,9 +353,9 @@ namespace Signorini
                            problem.initial_velocity);
         prm.leave_subsection();
       }
-    for (unsigned int l = 0; l < lumped.size(); ++l)
-      problem.initial_velocity[n_dofs - lumped.size() + l] =
-        lumped[l].initial_velocity;
+    for (unsigned int l = 0; l < rigid_body_dofs.size(); ++l)
+      problem.initial_velocity[n_dofs - rigid_body_dofs.size() + l] =
+        rigid_body_dofs[l].initial_velocity;
 
     // 2. Pairs
     problem.contact_parameters = ContactParameters::parse(constants, prm);
@@ -389,14 +393,11 @@ namespace Signorini
 
 
 
-  template void
-  declare_problem_parameters<2>(const ProblemOutline &, ParameterHandler &);
-  template void
-  declare_problem_parameters<3>(const ProblemOutline &, ParameterHandler &);
-  template ConditionList
-  problem_conditions<2>(const ProblemOutline &);
-  template ConditionList
-  problem_conditions<3>(const ProblemOutline &);
-  template struct Problem<2>;
-  template struct Problem<3>;
+#define INSTANTIATE(dim)                                                         \
+  template void          declare_problem_parameters<dim>(const ProblemOutline &, \
+                                                ParameterHandler &);    \
+  template ConditionList problem_conditions<dim>(const ProblemOutline &);        \
+  template struct Problem<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

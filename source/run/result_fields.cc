@@ -1,4 +1,5 @@
 #include <signorini/contact/contact_pressures.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/output/surface_table.h>
@@ -367,6 +368,7 @@ namespace Signorini
 
 
 
-  template class ResultFields<2>;
-  template class ResultFields<3>;
+#define INSTANTIATE(dim) template class ResultFields<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/dynamics/finite_state.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
 #include <signorini/output/progress.h>
 #include <signorini/output/run_folder.h>
@@ -422,6 +423,7 @@ namespace Signorini
 
 
 
-  template class Simulation<2>;
-  template class Simulation<3>;
+#define INSTANTIATE(dim) template class Simulation<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/run/small_strain_watch.h>
 
 #include <sstream>
@@ -93,6 +94,7 @@ namespace Signorini
 
 
 
-  template class SmallStrainWatch<2>;
-  template class SmallStrainWatch<3>;
+#define INSTANTIATE(dim) template class SmallStrainWatch<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/run/state_watch.h>
 #include <signorini/run/unpaired_bodies.h>
 
@@ -31,6 +32,7 @@ namespace Signorini
 
 
 
-  template class StateWatch<2>;
-  template class StateWatch<3>;
+#define INSTANTIATE(dim) template class StateWatch<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,6 @@
 #include <signorini/dynamics/energy_balance.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/run/energy_verdict.h>
@@ -171,7 +172,7 @@ namespace Signorini
     TimeStep<dim> step(*problem_.solid, *problem_.contact, still, timings_);
     State         state = record.state;
     state.contact_debt  = 0.;
-    for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
+    for (unsigned int i = 0; i < problem_.solid->dof_map().n_body_dofs(); ++i)
       state.velocity[i] = state.acceleration[i] = 0.;
     try
       {
@@ -242,7 +243,7 @@ namespace Signorini
   StepDriver<dim>::stop_bodies(State &state) const
   {
     const double kinetic = state.energy.kinetic;
-    for (unsigned int i = 0; i < problem_.solid->first_lumped(); ++i)
+    for (unsigned int i = 0; i < problem_.solid->dof_map().n_body_dofs(); ++i)
       state.velocity[i] = 0.;
     measure_kinetic_energy(problem_.solid->mass(), state);
     const double taken = kinetic - state.energy.kinetic;
@@ -400,6 +401,7 @@ namespace Signorini
 
 
 
-  template class StepDriver<2>;
-  template class StepDriver<3>;
+#define INSTANTIATE(dim) template class StepDriver<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

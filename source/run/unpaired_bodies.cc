@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/run/unpaired_bodies.h>
 #include <signorini/solid/occupied_region.h>
 
@@ -79,8 +80,9 @@ namespace Signorini
 
 
 
-  template std::string
-  unpaired_overlaps(const Problem<2> &, const Vector<double> &);
-  template std::string
-  unpaired_overlaps(const Problem<3> &, const Vector<double> &);
+#define INSTANTIATE(dim)                                       \
+  template std::string unpaired_overlaps(const Problem<dim> &, \
+                                         const Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

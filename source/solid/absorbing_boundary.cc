@@ -1,5 +1,7 @@
 #include "absorbing_boundary.h"
 
+#include <signorini/input/instantiate.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -111,14 +113,12 @@ namespace Signorini
 
 
 
-  template void
-  add_absorbing_boundaries<2>(const Body<2> &,
-                              const std::set<types::boundary_id> &,
-                              const AffineConstraints<double> &,
-                              SparseMatrix<double> &);
-  template void
-  add_absorbing_boundaries<3>(const Body<3> &,
-                              const std::set<types::boundary_id> &,
-                              const AffineConstraints<double> &,
-                              SparseMatrix<double> &);
+#define INSTANTIATE(dim)                       \
+  template void add_absorbing_boundaries<dim>( \
+    const Body<dim> &,                         \
+    const std::set<types::boundary_id> &,      \
+    const AffineConstraints<double> &,         \
+    SparseMatrix<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

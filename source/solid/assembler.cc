@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/assembler.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -436,7 +437,6 @@ namespace Signorini
                               const bool,                            \
                               const double,                          \
                               SparseMatrix<double> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

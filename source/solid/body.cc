@@ -1,5 +1,6 @@
 #include <signorini/geometry/mesh_generator.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
 #include <signorini/input/named_list.h>
 #include <signorini/input/nearest_name.h>
@@ -329,6 +330,7 @@ namespace Signorini
 
 
 
-  template class Body<2>;
-  template class Body<3>;
+#define INSTANTIATE(dim) template class Body<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/connected_parts.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -41,8 +42,9 @@ namespace Signorini
 
 
 
-  template std::vector<std::vector<Node<2>>>
-  connected_parts(const Body<2> &);
-  template std::vector<std::vector<Node<3>>>
-  connected_parts(const Body<3> &);
+#define INSTANTIATE(dim)                                        \
+  template std::vector<std::vector<Node<dim>>> connected_parts( \
+    const Body<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

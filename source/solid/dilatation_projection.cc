@@ -1,5 +1,7 @@
 #include "dilatation_projection.h"
 
+#include <signorini/input/instantiate.h>
+
 #include <deal.II/base/polynomial.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -68,6 +70,7 @@ namespace Signorini
 
 
 
-  template class DilatationProjection<2>;
-  template class DilatationProjection<3>;
+#define INSTANTIATE(dim) template class DilatationProjection<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

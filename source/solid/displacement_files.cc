@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/regular_file.h>
 #include <signorini/solid/displacement_files.h>
 
@@ -267,20 +268,13 @@ namespace Signorini
     return displacements;
   }
 
-  template std::string
-  encode_mesh<2>(const NodalMesh<2> &);
-  template std::string
-  encode_mesh<3>(const NodalMesh<3> &);
-  template std::string
-  encode_displacements<2>(const std::vector<Tensor<1, 2>> &);
-  template std::string
-  encode_displacements<3>(const std::vector<Tensor<1, 3>> &);
-  template NodalMesh<2>
-  read_mesh<2>(const std::string &);
-  template NodalMesh<3>
-  read_mesh<3>(const std::string &);
-  template std::vector<Tensor<1, 2>>
-  read_displacements<2>(const std::string &, const unsigned int);
-  template std::vector<Tensor<1, 3>>
-  read_displacements<3>(const std::string &, const unsigned int);
+#define INSTANTIATE(dim)                                                    \
+  template std::string encode_mesh<dim>(const NodalMesh<dim> &);            \
+  template std::string encode_displacements<dim>(                           \
+    const std::vector<Tensor<1, dim>> &);                                   \
+  template NodalMesh<dim>              read_mesh<dim>(const std::string &); \
+  template std::vector<Tensor<1, dim>> read_displacements<dim>(             \
+    const std::string &, const unsigned int);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

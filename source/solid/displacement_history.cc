@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/nearest_name.h>
 #include <signorini/solid/displacement_history.h>
 
@@ -295,6 +296,7 @@ namespace Signorini
 
 
 
-  template class DisplacementHistory<2>;
-  template class DisplacementHistory<3>;
+#define INSTANTIATE(dim) template class DisplacementHistory<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/error_estimate.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -55,8 +56,9 @@ namespace Signorini
 
 
 
-  template std::vector<double>
-  estimated_errors(const Body<2> &, const Vector<double> &);
-  template std::vector<double>
-  estimated_errors(const Body<3> &, const Vector<double> &);
+#define INSTANTIATE(dim)                                           \
+  template std::vector<double> estimated_errors(const Body<dim> &, \
+                                                const Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/formulation.h>
 
 #include <deal.II/base/numbers.h>
@@ -225,24 +226,17 @@ namespace Signorini
 
 
 
-  template PointResponse
-  respond<2>(const Formulation,
-             const Material &,
-             const Tensor<2, 2> &,
-             const double,
-             const double,
-             const ArrayView<const double>,
-             const ArrayView<double>);
-  template PointResponse
-  respond<3>(const Formulation,
-             const Material &,
-             const Tensor<2, 3> &,
-             const double,
-             const double,
-             const ArrayView<const double>,
-             const ArrayView<double>);
-  template double
-  volume_factor<2>(const Formulation, const Point<2> &, const double);
-  template double
-  volume_factor<3>(const Formulation, const Point<3> &, const double);
+#define INSTANTIATE(dim)                                             \
+  template PointResponse respond<dim>(const Formulation,             \
+                                      const Material &,              \
+                                      const Tensor<2, dim> &,        \
+                                      const double,                  \
+                                      const double,                  \
+                                      const ArrayView<const double>, \
+                                      const ArrayView<double>);      \
+  template double        volume_factor<dim>(const Formulation,       \
+                                     const Point<dim> &,      \
+                                     const double);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

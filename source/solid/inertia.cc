@@ -1,5 +1,6 @@
 // The part of SolidModel that assembles mass and damping.
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/mass_moments.h>
 #include <signorini/solid/solid_model.h>
 
@@ -40,20 +41,25 @@ namespace Signorini
                              " / Material / Density: must be greater than zero "
                              "in a dynamic run, in kg/m^3. Without inertia set "
                              "Time / Analysis = static.");
-        add_mass(body, constraints_, inertia.lumped, 1., mass_);
+        add_mass(body, dof_map_.constraints(), inertia.lumped, 1., mass_);
         if (body.mass_damping() > 0.)
-          add_mass(
-            body, constraints_, inertia.lumped, body.mass_damping(), damping);
+          add_mass(body,
+                   dof_map_.constraints(),
+                   inertia.lumped,
+                   body.mass_damping(),
+                   damping);
         add_absorbing_boundaries(body,
                                  part.supports.absorbing_boundaries(),
-                                 constraints_,
+                                 dof_map_.constraints(),
                                  damping);
       }
     add_initial_stiffness(
       [](const Body<dim> &body) { return body.stiffness_damping(); }, damping);
-    clear_condensed_diagonal(constraints_, mass_);
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      mass_.set(first_lumped() + l, first_lumped() + l, lumped_[l].mass);
+    clear_condensed_diagonal(dof_map_.constraints(), mass_);
+    for (unsigned int l = 0; l < rigid_body_dofs_.size(); ++l)
+      mass_.set(dof_map_.n_body_dofs() + l,
+                dof_map_.n_body_dofs() + l,
+                rigid_body_dofs_[l].mass);
     if (has_damping())
       {
         damping_.reinit(sparsity_);
@@ -77,7 +83,7 @@ namespace Signorini
                                  massless_nodes.end(),
                                  node.dofs[0]))
             nodes.push_back(node);
-        result->redistribution.add(*part.body, nodes, is_fixed_, is_hanging_);
+        result->redistribution.add(*part.body, nodes, dof_map_);
       }
     result->matrix.reinit(sparsity_);
     result->matrix.copy_from(mass_);
@@ -86,7 +92,7 @@ namespace Signorini
     const Vector<double> at_start(n_dofs());
     for (const auto &part : parts_)
       if (!free_rigid_modes(
-             *part.body, at_start, is_given_, part.supports.sliding_nodes())
+             *part.body, at_start, dof_map_, part.supports.sliding_nodes())
              .empty() &&
           !keep_moments(
             *part.body, mass_, result->redistribution, result->matrix))
@@ -96,16 +102,11 @@ namespace Signorini
 
 
 
-  template bool
-  SolidModel<2>::has_damping() const;
-  template bool
-  SolidModel<3>::has_damping() const;
-  template void
-  SolidModel<2>::assemble_inertia(const Inertia &);
-  template void
-  SolidModel<3>::assemble_inertia(const Inertia &);
-  template std::unique_ptr<const SolidModel<2>::RedistributedMass>
-  SolidModel<2>::redistribute_mass(const std::vector<unsigned int> &) const;
-  template std::unique_ptr<const SolidModel<3>::RedistributedMass>
-  SolidModel<3>::redistribute_mass(const std::vector<unsigned int> &) const;
+#define INSTANTIATE(dim)                                             \
+  template bool SolidModel<dim>::has_damping() const;                \
+  template void SolidModel<dim>::assemble_inertia(const Inertia &);  \
+  template std::unique_ptr<const SolidModel<dim>::RedistributedMass> \
+  SolidModel<dim>::redistribute_mass(const std::vector<unsigned int> &) const;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 #include <signorini/solid/loads.h>
 
@@ -426,6 +427,7 @@ namespace Signorini
 
 
 
-  template class Loads<2>;
-  template class Loads<3>;
+#define INSTANTIATE(dim) template class Loads<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/mass_moments.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -209,14 +210,11 @@ namespace Signorini
 
 
 
-  template bool
-  keep_moments(const Body<2> &,
-               const SparseMatrix<double> &,
-               const MassRedistribution &,
-               SparseMatrix<double> &);
-  template bool
-  keep_moments(const Body<3> &,
-               const SparseMatrix<double> &,
-               const MassRedistribution &,
-               SparseMatrix<double> &);
+#define INSTANTIATE(dim)                                   \
+  template bool keep_moments(const Body<dim> &,            \
+                             const SparseMatrix<double> &, \
+                             const MassRedistribution &,   \
+                             SparseMatrix<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

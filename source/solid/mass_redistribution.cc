@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/mass_redistribution.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -176,13 +177,12 @@ namespace Signorini
   void
   MassRedistribution::add(const Body<dim>              &body,
                           const std::vector<Node<dim>> &contact_nodes,
-                          const std::vector<bool>      &is_fixed,
-                          const std::vector<bool>      &is_hanging)
+                          const DofMap                 &dof_map)
   {
     const NodeGraph<dim>   graph(body);
     std::set<unsigned int> massless;
     for (const auto &node : contact_nodes)
-      if (!is_hanging[node.dofs[0]])
+      if (!dof_map.is_hanging(node.dofs[0]))
         massless.insert(graph.node_of_dof(node.dofs[0] - body.first_dof()));
 
     for (const unsigned int contact : massless)
@@ -197,7 +197,7 @@ namespace Signorini
             Weights<dim> weights;
             for (const unsigned int candidate : neighbours)
               if (massless.count(candidate) == 0 &&
-                  !is_hanging[body.nodes()[candidate].dofs[0]])
+                  !dof_map.is_hanging(body.nodes()[candidate].dofs[0]))
                 weights.donors.push_back(body.nodes()[candidate]);
             if (nearest.of_donor.empty())
               nearest = {weights.donors,
@@ -210,7 +210,7 @@ namespace Signorini
         if (affine.of_donor.empty())
           affine = nearest;
         for (unsigned int c = 0; c < dim; ++c)
-          if (!is_fixed[node.dofs[c]])
+          if (!dof_map.is_constrained(node.dofs[c]))
             {
               rows_[node.dofs[c]]      = row(affine, c);
               receivers_[node.dofs[c]] = row(nearest, c);
@@ -328,14 +328,10 @@ namespace Signorini
 
 
 
-  template void
-  MassRedistribution::add(const Body<2> &,
-                          const std::vector<Node<2>> &,
-                          const std::vector<bool> &,
-                          const std::vector<bool> &);
-  template void
-  MassRedistribution::add(const Body<3> &,
-                          const std::vector<Node<3>> &,
-                          const std::vector<bool> &,
-                          const std::vector<bool> &);
+#define INSTANTIATE(dim)                                                \
+  template void MassRedistribution::add(const Body<dim> &,              \
+                                        const std::vector<Node<dim>> &, \
+                                        const DofMap &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -14,13 +14,12 @@ namespace Signorini
     class FreeMass
     {
     public:
-      FreeMass(const SparseMatrix<double> &mass,
-               const std::vector<bool>    &is_fixed)
+      FreeMass(const SparseMatrix<double> &mass, const DofMap &dof_map)
         : mass_(mass)
         , inverse_diagonal_(mass.m())
       {
         for (unsigned int i = 0; i < mass.m(); ++i)
-          if (!is_fixed[i] && mass.diag_element(i) > 0.)
+          if (!dof_map.is_constrained(i) && mass.diag_element(i) > 0.)
             inverse_diagonal_[i] = 1. / mass.diag_element(i);
       }
 
@@ -66,11 +65,11 @@ namespace Signorini
 
   void
   accelerate(const SparseMatrix<double> &mass,
-             const std::vector<bool>    &is_fixed,
+             const DofMap               &dof_map,
              const Vector<double>       &force,
              Vector<double>             &acceleration)
   {
-    const FreeMass matrix(mass, is_fixed);
+    const FreeMass matrix(mass, dof_map);
     Vector<double> change(force);
     Vector<double> product(force.size());
     mass.vmult(product, acceleration);

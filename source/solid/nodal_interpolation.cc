@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/nodal_interpolation.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -199,6 +200,7 @@ namespace Signorini
 
 
 
-  template class NodalInterpolation<2>;
-  template class NodalInterpolation<3>;
+#define INSTANTIATE(dim) template class NodalInterpolation<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/nodal_mesh.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -84,14 +85,12 @@ namespace Signorini
     return result;
   }
 
-  template struct NodalMesh<2>;
-  template struct NodalMesh<3>;
-  template NodalMesh<2>
-  nodal_mesh<2>(const DoFHandler<2> &, const Mapping<2> &);
-  template NodalMesh<3>
-  nodal_mesh<3>(const DoFHandler<3> &, const Mapping<3> &);
-  template std::vector<Tensor<1, 2>>
-  nodal_values<2>(const DoFHandler<2> &, const Vector<double> &);
-  template std::vector<Tensor<1, 3>>
-  nodal_values<3>(const DoFHandler<3> &, const Vector<double> &);
+#define INSTANTIATE(dim)                                                        \
+  template struct NodalMesh<dim>;                                               \
+  template NodalMesh<dim>              nodal_mesh<dim>(const DoFHandler<dim> &, \
+                                          const Mapping<dim> &);   \
+  template std::vector<Tensor<1, dim>> nodal_values<dim>(                       \
+    const DoFHandler<dim> &, const Vector<double> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

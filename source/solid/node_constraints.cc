@@ -1,6 +1,7 @@
 #include "node_constraints.h"
 
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -12,8 +13,7 @@ namespace Signorini
 
   template <int dim>
   void
-  add_hanging_nodes(const Body<dim>           &body,
-                    AffineConstraints<double> &constraints)
+  add_hanging_nodes(const Body<dim> &body, DofMap &dof_map)
   {
     AffineConstraints<double> local;
     DoFTools::make_hanging_node_constraints(body.dof_handler(), local);
@@ -21,9 +21,10 @@ namespace Signorini
     const unsigned int shift = body.first_dof();
     for (const auto &line : local.get_lines())
       {
-        constraints.add_line(line.index + shift);
+        std::vector<std::pair<unsigned int, double>> masters;
         for (const auto &[dof, weight] : line.entries)
-          constraints.add_entry(line.index + shift, dof + shift, weight);
+          masters.emplace_back(dof + shift, weight);
+        dof_map.hang(line.index + shift, masters);
       }
   }
 
@@ -31,20 +32,18 @@ namespace Signorini
 
   template <int dim>
   void
-  hold_in_plane(const Body<dim>           &body,
-                const SlidingNode<dim>    &sliding,
-                const std::vector<bool>   &is_given,
-                const std::vector<bool>   &is_hanging,
-                AffineConstraints<double> &constraints)
+  hold_in_plane(const Body<dim>        &body,
+                const SlidingNode<dim> &sliding,
+                DofMap                 &dof_map)
   {
-    if (is_hanging[sliding.node.dofs[0]])
+    if (dof_map.is_hanging(sliding.node.dofs[0]))
       return;
     const auto  &dofs     = sliding.node.dofs;
     const auto  &normal   = sliding.normal;
     unsigned int follower = dim;
     for (unsigned int c = 0; c < dim; ++c)
       {
-        if (constraints.is_constrained(dofs[c]))
+        if (dof_map.constraints().is_constrained(dofs[c]))
           {
             std::ostringstream message;
             message << "Body " << body.name() << " / Supports / Sliding: two "
@@ -52,37 +51,27 @@ namespace Signorini
                     << "). Fix the node there, or let one of them slide.";
             throw InputError(message.str());
           }
-        if (!is_given[dofs[c]] &&
+        if (!dof_map.is_prescribed(dofs[c]) &&
             (follower == dim ||
              std::abs(normal[c]) > std::abs(normal[follower])))
           follower = c;
       }
     if (follower == dim || std::abs(normal[follower]) < 1e-6)
       return;
-    constraints.add_line(dofs[follower]);
+    std::vector<std::pair<unsigned int, double>> others;
     for (unsigned int c = 0; c < dim; ++c)
       if (c != follower && normal[c] != 0.)
-        constraints.add_entry(dofs[follower],
-                              dofs[c],
-                              -normal[c] / normal[follower]);
+        others.emplace_back(dofs[c], -normal[c] / normal[follower]);
+    dof_map.follow(dofs[follower], others);
   }
 
 
 
-  template void
-  add_hanging_nodes(const Body<2> &, AffineConstraints<double> &);
-  template void
-  add_hanging_nodes(const Body<3> &, AffineConstraints<double> &);
-  template void
-  hold_in_plane(const Body<2> &,
-                const SlidingNode<2> &,
-                const std::vector<bool> &,
-                const std::vector<bool> &,
-                AffineConstraints<double> &);
-  template void
-  hold_in_plane(const Body<3> &,
-                const SlidingNode<3> &,
-                const std::vector<bool> &,
-                const std::vector<bool> &,
-                AffineConstraints<double> &);
+#define INSTANTIATE(dim)                                        \
+  template void add_hanging_nodes(const Body<dim> &, DofMap &); \
+  template void hold_in_plane(const Body<dim> &,                \
+                              const SlidingNode<dim> &,         \
+                              DofMap &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

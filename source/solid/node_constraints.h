@@ -1,6 +1,7 @@
 #ifndef signorini_solid_node_constraints_h
 #define signorini_solid_node_constraints_h
 
+#include <signorini/solid/dof_map.h>
 #include <signorini/solid/supports.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -12,8 +13,7 @@ namespace Signorini
   /** Adds the constraints of hanging nodes, in the counting of all unknowns. */
   template <int dim>
   void
-  add_hanging_nodes(const Body<dim>                   &body,
-                    dealii::AffineConstraints<double> &constraints);
+  add_hanging_nodes(const Body<dim> &body, DofMap &dof_map);
 
   /**
    * Adds n . u = 0: the component that moves most along the normal follows the
@@ -22,11 +22,9 @@ namespace Signorini
    */
   template <int dim>
   void
-  hold_in_plane(const Body<dim>                   &body,
-                const SlidingNode<dim>            &sliding,
-                const std::vector<bool>           &is_given,
-                const std::vector<bool>           &is_hanging,
-                dealii::AffineConstraints<double> &constraints);
+  hold_in_plane(const Body<dim>        &body,
+                const SlidingNode<dim> &sliding,
+                DofMap                 &dof_map);
 } // namespace Signorini
 
 #endif

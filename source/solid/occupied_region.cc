@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/occupied_region.h>
 
 #include <algorithm>
@@ -136,6 +137,7 @@ namespace Signorini
 
 
 
-  template class OccupiedRegion<2>;
-  template class OccupiedRegion<3>;
+#define INSTANTIATE(dim) template class OccupiedRegion<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

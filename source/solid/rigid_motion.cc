@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/connected_parts.h>
 #include <signorini/solid/rigid_motion.h>
 
@@ -126,7 +127,7 @@ namespace Signorini
     template <int dim>
     FullMatrix<double>
     gram_matrix(const PlacedPart<dim>               &part,
-                const std::vector<bool>             &is_fixed,
+                const DofMap                        &dof_map,
                 const std::vector<SlidingNode<dim>> &sliding_nodes,
                 const std::vector<RigidMotion>      &motions)
     {
@@ -146,7 +147,7 @@ namespace Signorini
       for (const auto &node : part.nodes)
         {
           for (unsigned int c = 0; c < dim; ++c)
-            if (is_fixed[node.dofs[c]])
+            if (dof_map.is_prescribed(node.dofs[c]))
               {
                 Tensor<1, dim> direction;
                 direction[c] = 1.;
@@ -163,14 +164,14 @@ namespace Signorini
     void
     add_free_modes(const PlacedPart<dim>               &part,
                    const Formulation                    formulation,
-                   const std::vector<bool>             &is_fixed,
+                   const DofMap                        &dof_map,
                    const std::vector<SlidingNode<dim>> &sliding_nodes,
                    const std::string                   &where,
                    std::vector<RigidMode>              &modes)
     {
       const auto               motions = rigid_motions(formulation);
       const FullMatrix<double> gram =
-        gram_matrix(part, is_fixed, sliding_nodes, motions);
+        gram_matrix(part, dof_map, sliding_nodes, motions);
       LAPACKFullMatrix<double> matrix(motions.size());
       matrix = gram;
       FullMatrix<double> vectors;
@@ -186,7 +187,7 @@ namespace Signorini
       for (unsigned int k = 0; k < values.size(); ++k)
         {
           RigidMode mode;
-          mode.motion.reinit(is_fixed.size());
+          mode.motion.reinit(dof_map.size());
           for (unsigned int i = 0; i < motions.size(); ++i)
             {
               if (std::abs(vectors(i, k)) < 1e-6)
@@ -211,7 +212,7 @@ namespace Signorini
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
                    const Vector<double>                &displacement,
-                   const std::vector<bool>             &is_fixed,
+                   const DofMap                        &dof_map,
                    const std::vector<SlidingNode<dim>> &sliding_nodes)
   {
     const auto             parts = connected_parts(body);
@@ -222,26 +223,20 @@ namespace Signorini
         std::ostringstream    where;
         if (parts.size() > 1)
           where << " of its part around (" << part.centre << ")";
-        add_free_modes(part,
-                       body.formulation(),
-                       is_fixed,
-                       sliding_nodes,
-                       where.str(),
-                       modes);
+        add_free_modes(
+          part, body.formulation(), dof_map, sliding_nodes, where.str(), modes);
       }
     return modes;
   }
 
 
 
-  template std::vector<RigidMode>
-  free_rigid_modes(const Body<2> &,
-                   const Vector<double> &,
-                   const std::vector<bool> &,
-                   const std::vector<SlidingNode<2>> &);
-  template std::vector<RigidMode>
-  free_rigid_modes(const Body<3> &,
-                   const Vector<double> &,
-                   const std::vector<bool> &,
-                   const std::vector<SlidingNode<3>> &);
+#define INSTANTIATE(dim)                            \
+  template std::vector<RigidMode> free_rigid_modes( \
+    const Body<dim> &,                              \
+    const Vector<double> &,                         \
+    const DofMap &,                                 \
+    const std::vector<SlidingNode<dim>> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

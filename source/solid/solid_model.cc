@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/nearest_name.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
 #include <signorini/solid/assembler.h>
@@ -18,10 +19,10 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  SolidModel<dim>::SolidModel(std::vector<Part>          parts,
-                              std::vector<LumpedUnknown> lumped)
+  SolidModel<dim>::SolidModel(std::vector<Part>         parts,
+                              std::vector<RigidBodyDof> rigid_body_dofs)
     : parts_(std::move(parts))
-    , lumped_(std::move(lumped))
+    , rigid_body_dofs_(std::move(rigid_body_dofs))
     , is_linear_(true)
     , first_history_(1, 0)
     , loads_vary_(false)
@@ -34,7 +35,6 @@ namespace Signorini
       {
         Assert(part.body->first_dof() == n_dofs, ExcInternalError());
         n_dofs += part.body->n_dofs();
-        add_hanging_nodes(*part.body, constraints_);
         for (const Material *const material : part.body->materials())
           is_linear_ = is_linear_ && material->is_linear();
         first_history_.push_back(first_history_.back() +
@@ -43,31 +43,32 @@ namespace Signorini
         loads_follow_       = loads_follow_ || part.loads.follow();
         supports_are_fixed_ = supports_are_fixed_ && part.supports.are_fixed();
       }
-    n_dofs += lumped_.size();
-    loads_vary_ = loads_vary_ || !lumped_.empty();
+    loads_vary_ = loads_vary_ || !rigid_body_dofs_.empty();
+    number_dofs(n_dofs);
+    for (const auto &dof : rigid_body_dofs_)
+      supports_are_fixed_ = supports_are_fixed_ && !dof.motion;
+    force_.reinit(this->n_dofs());
+    following_force_.reinit(this->n_dofs());
+  }
 
-    is_hanging_.resize(n_dofs);
-    for (const auto &line : constraints_.get_lines())
-      is_hanging_[line.index] = true;
-    is_given_.resize(n_dofs);
+
+
+  template <int dim>
+  void
+  SolidModel<dim>::number_dofs(const unsigned int n_body_dofs)
+  {
+    dof_map_ = DofMap(n_body_dofs, rigid_body_dofs_.size());
     for (const auto &part : parts_)
-      part.supports.mark(is_given_);
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      if (lumped_[l].motion)
-        {
-          is_given_[n_dofs - lumped_.size() + l] = true;
-          supports_are_fixed_                    = false;
-        }
+      add_hanging_nodes(*part.body, dof_map_);
+    for (const auto &part : parts_)
+      part.supports.mark(dof_map_);
+    for (unsigned int l = 0; l < rigid_body_dofs_.size(); ++l)
+      if (rigid_body_dofs_[l].motion)
+        dof_map_.prescribe(n_body_dofs + l);
     for (const auto &part : parts_)
       for (const auto &sliding : part.supports.sliding_nodes())
-        hold_in_plane(
-          *part.body, sliding, is_given_, is_hanging_, constraints_);
-    constraints_.close();
-    is_fixed_ = is_given_;
-    for (const auto &line : constraints_.get_lines())
-      is_fixed_[line.index] = true;
-    force_.reinit(n_dofs);
-    following_force_.reinit(n_dofs);
+        hold_in_plane(*part.body, sliding, dof_map_);
+    dof_map_.close();
   }
 
 
@@ -96,10 +97,7 @@ namespace Signorini
   {
     if (inertia.present && inertia.contact_mass != ContactMass::consistent)
       for (unsigned int b = 0; b < inertia.contact_nodes.size(); ++b)
-        undamped_.add(*parts_[b].body,
-                      inertia.contact_nodes[b],
-                      is_fixed_,
-                      is_hanging_);
+        undamped_.add(*parts_[b].body, inertia.contact_nodes[b], dof_map_);
     build_sparsity();
 
     stiffness_.reinit(sparsity_);
@@ -128,7 +126,7 @@ namespace Signorini
       if (factor(*parts_[b].body) != 0.)
         add_response(
           *parts_[b].body,
-          constraints_,
+          dof_map_.constraints(),
           {zero},
           history_of(b, history_n),
           make_array_view(response.history.data() + first_history_[b],
@@ -136,7 +134,7 @@ namespace Signorini
           response,
           &matrix,
           factor(*parts_[b].body));
-    clear_condensed_diagonal(constraints_, matrix);
+    clear_condensed_diagonal(dof_map_.constraints(), matrix);
   }
 
 
@@ -147,13 +145,11 @@ namespace Signorini
   {
     std::vector<RigidMode> modes;
     for (const auto &part : parts_)
-      for (auto &mode : free_rigid_modes(*part.body,
-                                         displacement,
-                                         is_given_,
-                                         part.supports.sliding_nodes()))
+      for (auto &mode : free_rigid_modes(
+             *part.body, displacement, dof_map_, part.supports.sliding_nodes()))
         modes.push_back(std::move(mode));
-    for (unsigned int i = first_lumped(); i < n_dofs(); ++i)
-      if (!is_fixed_[i])
+    for (unsigned int i = dof_map_.n_body_dofs(); i < n_dofs(); ++i)
+      if (!dof_map_.is_constrained(i))
         {
           RigidMode mode;
           mode.motion.reinit(n_dofs());
@@ -179,10 +175,10 @@ namespace Signorini
             cell->get_dof_indices(dofs);
             for (auto &dof : dofs)
               dof += body.first_dof();
-            constraints_.add_entries_local_to_global(dofs, pattern);
+            dof_map_.constraints().add_entries_local_to_global(dofs, pattern);
           }
       }
-    for (unsigned int i = first_lumped(); i < n_dofs(); ++i)
+    for (unsigned int i = dof_map_.n_body_dofs(); i < n_dofs(); ++i)
       pattern.add(i, i);
     if (has_damping())
       undamped_.extend(pattern);
@@ -323,7 +319,7 @@ namespace Signorini
       }
     for (unsigned int b = 0; b < parts_.size(); ++b)
       add_response(*parts_[b].body,
-                   constraints_,
+                   dof_map_.constraints(),
                    step,
                    history_of(b, history_n),
                    make_array_view(response.history.data() + first_history_[b],
@@ -332,7 +328,7 @@ namespace Signorini
                    response,
                    tangent);
     if (tangent)
-      clear_condensed_diagonal(constraints_, *tangent);
+      clear_condensed_diagonal(dof_map_.constraints(), *tangent);
     return response;
   }
 
@@ -350,10 +346,11 @@ namespace Signorini
         force_ = 0.;
         for (const auto &part : parts_)
           part.loads.add_forces(time, force_);
-        for (unsigned int l = 0; l < lumped_.size(); ++l)
-          if (lumped_[l].force)
-            force_[first_lumped() + l] = lumped_[l].force(time);
-        constraints_.condense(force_);
+        for (unsigned int l = 0; l < rigid_body_dofs_.size(); ++l)
+          if (rigid_body_dofs_[l].force)
+            force_[dof_map_.n_body_dofs() + l] =
+              rigid_body_dofs_[l].force(time);
+        dof_map_.constraints().condense(force_);
         force_time_ = time;
       }
     if (!loads_follow_)
@@ -361,7 +358,7 @@ namespace Signorini
     following_force_ = 0.;
     for (const auto &part : parts_)
       part.loads.add_following_forces(time, displacement, following_force_);
-    constraints_.condense(following_force_);
+    dof_map_.constraints().condense(following_force_);
     following_force_ += force_;
     return following_force_;
   }
@@ -375,10 +372,11 @@ namespace Signorini
   {
     for (const auto &part : parts_)
       part.supports.set_displacements(time, displacement);
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      if (lumped_[l].motion)
-        displacement[first_lumped() + l] = lumped_[l].motion(time);
-    constraints_.distribute(displacement);
+    for (unsigned int l = 0; l < rigid_body_dofs_.size(); ++l)
+      if (rigid_body_dofs_[l].motion)
+        displacement[dof_map_.n_body_dofs() + l] =
+          rigid_body_dofs_[l].motion(time);
+    dof_map_.constraints().distribute(displacement);
   }
 
 
@@ -393,15 +391,15 @@ namespace Signorini
     for (const auto &part : parts_)
       part.supports.set_rates(time, step_size, velocity, acceleration);
     const double difference = 0.01 * step_size;
-    for (unsigned int l = 0; l < lumped_.size(); ++l)
-      if (const auto &motion = lumped_[l].motion)
+    for (unsigned int l = 0; l < rigid_body_dofs_.size(); ++l)
+      if (const auto &motion = rigid_body_dofs_[l].motion)
         {
-          const MotionRates rates      = motion_rates(motion, time, difference);
-          velocity[first_lumped() + l] = rates.velocity;
-          acceleration[first_lumped() + l] = rates.acceleration;
+          const MotionRates rates = motion_rates(motion, time, difference);
+          velocity[dof_map_.n_body_dofs() + l]     = rates.velocity;
+          acceleration[dof_map_.n_body_dofs() + l] = rates.acceleration;
         }
-    constraints_.distribute(velocity);
-    constraints_.distribute(acceleration);
+    dof_map_.constraints().distribute(velocity);
+    dof_map_.constraints().distribute(acceleration);
   }
 
 
@@ -416,7 +414,7 @@ namespace Signorini
     for (const auto &part : parts_)
       for (const auto &node : part.body->nodes())
         for (unsigned int c = 0; c < dim; ++c)
-          if (!is_fixed_[node.dofs[c]])
+          if (!dof_map_.is_constrained(node.dofs[c]))
             resultant[c] += force[node.dofs[c]];
     if (resultant.norm() == 0.)
       throw InputError("Contact / Relative penalty stiffness: the bodies carry "
@@ -425,7 +423,7 @@ namespace Signorini
     try
       {
         SparseCholesky cholesky;
-        cholesky.analyse(sparsity_, is_fixed_, {});
+        cholesky.analyse(sparsity_, dof_map_.constrained(), {});
         cholesky.factorise(stiffness_);
         Vector<double> displacement(n_dofs());
         cholesky.solve(displacement, force);
@@ -441,6 +439,7 @@ namespace Signorini
 
 
 
-  template class SolidModel<2>;
-  template class SolidModel<3>;
+#define INSTANTIATE(dim) template class SolidModel<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

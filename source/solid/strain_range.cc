@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/strain_range.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -118,8 +119,9 @@ namespace Signorini
 
 
 
-  template struct StrainExtremes<2>;
-  template struct StrainExtremes<3>;
-  template class StrainRange<2>;
-  template class StrainRange<3>;
+#define INSTANTIATE(dim)               \
+  template struct StrainExtremes<dim>; \
+  template class StrainRange<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/solid/stress_recovery.h>
 
@@ -177,6 +178,7 @@ namespace Signorini
 
 
 
-  template class StressRecovery<2>;
-  template class StressRecovery<3>;
+#define INSTANTIATE(dim) template class StressRecovery<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
 #include <signorini/input/named_list.h>
 #include <signorini/solid/supports.h>
@@ -258,13 +259,13 @@ namespace Signorini
 
   template <int dim>
   void
-  Supports<dim>::mark(std::vector<bool> &is_fixed) const
+  Supports<dim>::mark(DofMap &dof_map) const
   {
     for (const auto &prescribed : prescribed_)
-      is_fixed[prescribed.dof] = true;
+      dof_map.prescribe(prescribed.dof);
     for (const auto &node : global_nodes_)
       for (const unsigned int dof : node.dofs)
-        is_fixed[dof] = true;
+        dof_map.prescribe(dof);
   }
 
 
@@ -339,6 +340,7 @@ namespace Signorini
 
 
 
-  template class Supports<2>;
-  template class Supports<3>;
+#define INSTANTIATE(dim) template class Supports<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

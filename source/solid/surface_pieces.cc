@@ -1,3 +1,4 @@
+#include <signorini/input/instantiate.h>
 #include <signorini/solid/surface_pieces.h>
 
 #include <deal.II/boost_adaptors/bounding_box.h>
@@ -95,6 +96,7 @@ namespace Signorini
 
 
 
-  template class SurfacePieces<2>;
-  template class SurfacePieces<3>;
+#define INSTANTIATE(dim) template class SurfacePieces<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

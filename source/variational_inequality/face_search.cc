@@ -32,7 +32,7 @@ namespace Signorini
   BoundConstrainedSolution
   FaceSearch::run()
   {
-    if (exchange_blocks() && is_minimum_on_face())
+    if (pivot_blocks() && is_minimum_on_face())
       return finish(QPOutcome::solved, {});
 
     std::vector<unsigned int> violated;
@@ -69,7 +69,7 @@ namespace Signorini
 
 
   bool
-  FaceSearch::exchange_blocks()
+  FaceSearch::pivot_blocks()
   {
     std::vector<double> best   = x;
     std::size_t         fewest = std::numeric_limits<std::size_t>::max();

@@ -30,12 +30,13 @@ namespace Signorini
   private:
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-    // Solves on a face without bounds and exchanges all wrong unknowns at
-    // once, until none is left. Mostly there in a few faces, but nothing
-    // forces it to end: false if it makes no progress or a face is singular.
-    // Then x is the best point seen, cut off at the bounds.
+    // Block principal pivoting [JudicePires1994]: solves on a face without
+    // bounds and exchanges all wrong unknowns at once, until none is left.
+    // Mostly there in a few faces, but nothing forces it to end: false if it
+    // makes no progress or a face is singular. Then x is the best point seen,
+    // cut off at the bounds.
     bool
-    exchange_blocks();
+    pivot_blocks();
 
     // Falls to the minimum on the face of the present x or on one of its
     // own faces, unless too many were tried. False if the objective falls

@@ -109,7 +109,9 @@ namespace
     const unsigned int n_steps = 2400;
 
     SparseCholesky cholesky;
-    cholesky.analyse(problem.solid->sparsity(), problem.solid->is_fixed(), {});
+    cholesky.analyse(problem.solid->sparsity(),
+                     problem.solid->dof_map().constrained(),
+                     {});
     cholesky.factorise(effective_stiffness(problem));
     Vector<double> x(cholesky.order().size());
     const double   substitutions = least_seconds(3, [&] {
@@ -189,7 +191,9 @@ namespace
     SparseCholesky             cholesky;
     const SparseMatrix<double> matrix   = effective_stiffness(alone);
     const double               ordering = seconds([&] {
-      cholesky.analyse(alone.solid->sparsity(), alone.solid->is_fixed(), {});
+      cholesky.analyse(alone.solid->sparsity(),
+                       alone.solid->dof_map().constrained(),
+                       {});
     });
     const double               factorisation =
       least_seconds(3, [&] { cholesky.factorise(matrix); });
@@ -200,7 +204,7 @@ namespace
     const double         assembly = least_seconds(3, [&] {
       stiffness = 0.;
       add_response(*alone.solid->parts()[0].body,
-                   alone.solid->constraints(),
+                   alone.solid->dof_map().constraints(),
                    {zero},
                    {},
                    {},
@@ -289,7 +293,7 @@ namespace
     SparseMatrix<double>       tangent;
     SparseCholesky             cholesky;
     const SparseMatrix<double> matrix = effective_stiffness(block);
-    cholesky.analyse(solid.sparsity(), solid.is_fixed(), {});
+    cholesky.analyse(solid.sparsity(), solid.dof_map().constrained(), {});
     const double factorisation =
       least_seconds(3, [&] { cholesky.factorise(matrix); });
     std::cout << "Elasto-plastic block, finite strain, " << solid.n_dofs()

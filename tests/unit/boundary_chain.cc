@@ -14,7 +14,7 @@ namespace
   std::vector<BoundaryChain>
   chains(const SolidModel<2> &solid, const std::string &boundary)
   {
-    return boundary_chains(*solid.parts()[0].body, boundary, solid.is_fixed());
+    return boundary_chains(*solid.parts()[0].body, boundary, solid.dof_map());
   }
 
   SolidModel<2>

@@ -43,9 +43,10 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness)
                                         multipliers,
                                         stiffness);
   BOOST_TEST(stiffness.frobenius_norm() > 1.);
-  BOOST_TEST(
-    stiffness_error(setup.contact, setup.solid.constraints(), u, multipliers) <
-    1e-8);
+  BOOST_TEST(stiffness_error(setup.contact,
+                             setup.solid.dof_map().constraints(),
+                             u,
+                             multipliers) < 1e-8);
 }
 
 
@@ -55,7 +56,7 @@ BOOST_AUTO_TEST_CASE(linearised_gaps)
 {
   const auto setup = block_on_ball();
   BOOST_TEST(linearisation_error(setup.contact,
-                                 setup.solid.constraints(),
+                                 setup.solid.dof_map().constraints(),
                                  Vector<double>(setup.solid.n_dofs()),
                                  1e-5) < 1e-9);
 }

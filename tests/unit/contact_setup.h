@@ -48,9 +48,7 @@ namespace Signorini
   {
     std::vector<ContactPairDescription<2>> pairs;
     pairs.push_back(std::move(pair));
-    return ContactModel<2>(std::move(pairs),
-                           solid.is_fixed(),
-                           solid.constraints());
+    return ContactModel<2>(std::move(pairs), solid.dof_map());
   }
 
   /** The plane body "a", whose boundary touches that of the body "b". */
@@ -91,7 +89,7 @@ namespace Signorini
          contactor_boundary,
          std::make_unique<DeformingCurve>(*solid.parts().back().body,
                                           target_boundary,
-                                          solid.is_fixed(),
+                                          solid.dof_map(),
                                           interpolation),
          FrictionLaw(),
          constraint},

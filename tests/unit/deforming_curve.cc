@@ -155,14 +155,14 @@ BOOST_AUTO_TEST_CASE(linearised_gaps)
       for (const auto &point : bodies.contact.evaluate({bent(bodies), 0.}))
         BOOST_TEST(point.is_in_reach());
       BOOST_TEST(linearisation_error(bodies.contact,
-                                     bodies.solid.constraints(),
+                                     bodies.solid.dof_map().constraints(),
                                      bent(bodies),
                                      1e-6) < 1e-10);
       if (kind != Kind::trace)
         continue;
       const auto over = blocks(kind, degree, mortar, 0.01, 30.);
       BOOST_TEST(linearisation_error(over.contact,
-                                     over.solid.constraints(),
+                                     over.solid.dof_map().constraints(),
                                      over.shift,
                                      1e-6) < 1e-10);
     }
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness)
       const auto bodies = blocks(kind, degree, node_to_surface, 0.02);
       BOOST_TEST(
         stiffness_error(bodies.contact,
-                        bodies.solid.constraints(),
+                        bodies.solid.dof_map().constraints(),
                         bent(bodies),
                         some_multipliers(bodies.contact.n_contacts())) < 1e-6);
     }
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(geometric_stiffness_of_mortar)
       {
         const auto bodies = blocks(Kind::trace, degree, mortar, 0., angle);
         BOOST_TEST(stiffness_error(bodies.contact,
-                                   bodies.solid.constraints(),
+                                   bodies.solid.dof_map().constraints(),
                                    bodies.shift,
                                    some_multipliers(
                                      bodies.contact.n_contacts())) < 1e-6);
@@ -222,11 +222,13 @@ BOOST_AUTO_TEST_CASE(ring_in_ring)
       errors.push_back(0.);
       for (const auto &point : points)
         errors.back() = std::max(errors.back(), std::abs(point.gap - 0.02));
-      BOOST_TEST(linearisation_error(
-                   bodies.contact, bodies.solid.constraints(), u, 1e-6) < 1e-9);
+      BOOST_TEST(linearisation_error(bodies.contact,
+                                     bodies.solid.dof_map().constraints(),
+                                     u,
+                                     1e-6) < 1e-9);
       if (kind == Kind::spline || degree == 2)
         BOOST_TEST(stiffness_error(bodies.contact,
-                                   bodies.solid.constraints(),
+                                   bodies.solid.dof_map().constraints(),
                                    u,
                                    some_multipliers(
                                      bodies.contact.n_contacts())) < 1e-6);
@@ -358,9 +360,11 @@ BOOST_AUTO_TEST_CASE(self_contact)
       BOOST_TEST(std::abs(points[k].gap - distance) < 1e-4);
     }
   BOOST_TEST(n_seen > 20u);
-  BOOST_TEST(linearisation_error(contact, solid.constraints(), u, 1e-6) < 1e-9);
+  BOOST_TEST(
+    linearisation_error(contact, solid.dof_map().constraints(), u, 1e-6) <
+    1e-9);
   BOOST_TEST(stiffness_error(contact,
-                             solid.constraints(),
+                             solid.dof_map().constraints(),
                              u,
                              some_multipliers(points.size())) < 1e-5);
 }

@@ -51,9 +51,7 @@ namespace
                        std::make_unique<FacetTarget>(*solid.parts()[1].body,
                                                      "front",
                                                      SurfaceInterpolation())});
-      return ContactModel<3>(std::move(pairs),
-                             solid.is_fixed(),
-                             solid.constraints());
+      return ContactModel<3>(std::move(pairs), solid.dof_map());
     }
   };
 
@@ -103,7 +101,7 @@ BOOST_AUTO_TEST_CASE(flat)
             BOOST_TEST(std::abs(point.tangents[0] * point.normal) < 1e-14);
           }
         BOOST_TEST(linearisation_error(boxes.contact,
-                                       boxes.solid.constraints(),
+                                       boxes.solid.dof_map().constraints(),
                                        boxes.u,
                                        1e-6) < 1e-10);
       }
@@ -127,10 +125,10 @@ BOOST_AUTO_TEST_CASE(turning_forces)
         for (const auto &node : boxes.solid.parts()[0].body->nodes())
           if (node.point.distance(Point<3>(0.87, 0.79, 1.)) < 1e-6)
             boxes.u[node.dofs[0]] = 0.14;
-        boxes.solid.constraints().distribute(boxes.u);
+        boxes.solid.dof_map().constraints().distribute(boxes.u);
         BOOST_TEST(
           stiffness_error(boxes.contact,
-                          boxes.solid.constraints(),
+                          boxes.solid.dof_map().constraints(),
                           boxes.u,
                           some_multipliers(boxes.contact.n_contacts())) < 1e-6);
       }
@@ -297,7 +295,8 @@ BOOST_AUTO_TEST_CASE(ball)
             std::max(normal_error, (found->normal - direction).norm());
           std::vector<Point<3>> corners;
           for (unsigned int a = 0; a < 4; ++a)
-            corners.push_back(place_of_unknown[found->carriers[3 * a].first]);
+            corners.push_back(
+              place_of_unknown[found->supporting_dofs[3 * a].first]);
           Tensor<1, 3> normal =
             cross_product_3d(corners[3] - corners[0], corners[2] - corners[1]);
           normal /= normal.norm();

@@ -158,12 +158,12 @@ namespace FrictionReference
         else if (states[k] >= forwards)
           x[m + k] =
             sign(states[k]) * data.contacts[k].friction_coefficient * x[k];
-      if (obeys_the_law(x))
+      if (satisfies_coulomb(x))
         keep(x);
     }
 
     bool
-    obeys_the_law(const Column &x) const
+    satisfies_coulomb(const Column &x) const
     {
       constexpr long double tolerance = 1e-10L;
       for (unsigned int k = 0; k < m; ++k)

@@ -123,7 +123,7 @@ namespace
         for (auto entry = mass->matrix.begin(i); entry != mass->matrix.end(i);
              ++entry)
           BOOST_TEST(entry->value() == 0.);
-      else if (!model.is_fixed()[i])
+      else if (!model.dof_map().is_constrained(i))
         massive.push_back(i);
     LAPACKFullMatrix<double> dense(massive.size());
     for (unsigned int i = 0; i < massive.size(); ++i)

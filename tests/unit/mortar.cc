@@ -351,10 +351,12 @@ BOOST_AUTO_TEST_CASE(passage)
         BOOST_TEST(point.gap > 0.);
       const std::vector<bool> open(nodes.size(), false);
       BOOST_TEST(
-        bodies.contact.passed_targets({inside, 1.}, {before, 0.}, gaps, open)
+        bodies.contact
+          .tunnelling_candidates({inside, 1.}, {before, 0.}, gaps, open)
           .empty());
       BOOST_TEST(
-        bodies.contact.passed_targets({beyond, 1.}, {before, 0.}, gaps, open)
+        bodies.contact
+          .tunnelling_candidates({beyond, 1.}, {before, 0.}, gaps, open)
           .size() == nodes.size());
     }
 }

@@ -43,7 +43,7 @@ namespace
     return *target.place({q, 0.}, {q, 0.})->closest(point);
   }
 
-  // dg/dq, from the normal and the carriers.
+  // dg/dq, from the normal and the supporting_dofs.
   Vector<double>
   gradient(const RigidBody<2> &body, const Vector<double> &q)
   {
@@ -51,7 +51,7 @@ namespace
     Vector<double> result(q.size());
     for (unsigned int c = 0; c < 2; ++c)
       result[c] = target.normal[c];
-    for (const auto &[unknown, motion] : target.carriers)
+    for (const auto &[unknown, motion] : target.supporting_dofs)
       result[unknown] -= target.normal * motion;
     return result;
   }
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_a_free_body)
         q[3]              = -0.03;
         q[4]              = 0.2;
         const auto target = target_at(*body, q);
-        BOOST_REQUIRE(target.carriers.size() == 3u);
+        BOOST_REQUIRE(target.supporting_dofs.size() == 3u);
         BOOST_REQUIRE(target.curvature.m() == 5u);
         const double h = 1e-5;
         for (unsigned int i = 0; i < 5; ++i)
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(given_motion)
   const RigidTarget<2>    target(*body);
   const ContactorPoint<2> point = {Point<2>(q[0], q[1]), {}, {}, 0};
   const auto found = *target.place({q, 2.}, {q, 1.})->closest(point);
-  BOOST_TEST(found.carriers.empty());
+  BOOST_TEST(found.supporting_dofs.empty());
   BOOST_TEST(found.curvature.m() == 2u);
 
   const auto now = body->placement({q, 2.}), before = body->placement({q, 1.});

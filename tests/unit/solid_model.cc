@@ -24,11 +24,11 @@ namespace
     Vector<double> r(model.external_force(1., u));
     r -= model.respond({u}, {}).internal_force;
     SparseCholesky cholesky;
-    cholesky.analyse(model.sparsity(), model.is_fixed(), {});
+    cholesky.analyse(model.sparsity(), model.dof_map().constrained(), {});
     cholesky.factorise(model.stiffness());
     cholesky.solve(motion, r);
     u += motion;
-    model.constraints().distribute(u);
+    model.dof_map().constraints().distribute(u);
     return u;
   }
 
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(lumped_mass)
       for (unsigned int i = 0; i < model.n_dofs(); ++i)
         {
           total += model.mass().diag_element(i);
-          if (!model.is_fixed()[i])
+          if (!model.dof_map().is_constrained(i))
             BOOST_TEST(model.mass().diag_element(i) > 0.);
         }
       // condensing hanging nodes spreads their part over off-diagonals

@@ -70,7 +70,7 @@ namespace Signorini
       for (const auto &node : part.body->nodes())
         for (unsigned int c = 0; c < dim; ++c)
           v[node.dofs[c]] = field(node.point, c);
-    model.constraints().distribute(v);
+    model.dof_map().constraints().distribute(v);
     return v;
   }
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #define signorini_contact_boundary_chain_h
 
 #include <signorini/contact/contactor_surface.h>
+#include <signorini/solid/dof_map.h>
 
 #include <array>
 #include <optional>
@@ -33,12 +34,12 @@ namespace Signorini
 
   /**
    * The chains that a boundary consists of.
-   * @param is_fixed unknowns of given motion, which make lines of symmetry
+   * @param dof_map constrained unknowns make lines of symmetry
    */
   std::vector<BoundaryChain>
-  boundary_chains(const Body<2>           &body,
-                  const std::string       &boundary,
-                  const std::vector<bool> &is_fixed);
+  boundary_chains(const Body<2>     &body,
+                  const std::string &boundary,
+                  const DofMap      &dof_map);
 } // namespace Signorini
 
 #endif

@@ -4,9 +4,9 @@
 #include <signorini/contact/contact_pair.h>
 #include <signorini/contact/contact_point.h>
 #include <signorini/contact/interface_numbering.h>
+#include <signorini/solid/dof_map.h>
 #include <signorini/variational_inequality/interface_problem.h>
 
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
 #include <string>
@@ -26,14 +26,10 @@ namespace Signorini
     using PairDescription = ContactPairDescription<dim>;
 
     /**
-     * @param is_fixed    unknowns that do not move with the solution; nodes
-     *                    that cannot move at all are no candidates
-     * @param constraints of hanging nodes, which follow their neighbours; must
-     *                    outlive the object
+     * @param dof_map must outlive the object. Nodes that cannot move at all
+     *                are no candidates, and hanging ones follow others.
      */
-    ContactModel(std::vector<PairDescription>             pairs,
-                 const std::vector<bool>                 &is_fixed,
-                 const dealii::AffineConstraints<double> &constraints);
+    ContactModel(std::vector<PairDescription> pairs, const DofMap &dof_map);
 
     const std::vector<ContactPair<dim>> &
     pairs() const
@@ -115,10 +111,10 @@ namespace Signorini
      * @param closed     candidates with a contact force at either end
      */
     std::vector<unsigned int>
-    passed_targets(const Configuration       &now,
-                   const Configuration       &before,
-                   const std::vector<double> &start_gaps,
-                   const std::vector<bool>   &closed) const;
+    tunnelling_candidates(const Configuration       &now,
+                          const Configuration       &before,
+                          const std::vector<double> &start_gaps,
+                          const std::vector<bool>   &closed) const;
 
     /** `floor at (0 0), ...' for the first few of these candidates. */
     std::string
@@ -167,8 +163,8 @@ namespace Signorini
     void
     for_each_candidate(const Function &f) const;
 
-    const dealii::AffineConstraints<double> &hanging_nodes_;
-    std::vector<ContactPair<dim>>            pairs_;
+    const DofMap                 &dof_map_;
+    std::vector<ContactPair<dim>> pairs_;
 
     // What a pair may be overclosed by.
     struct Allowance

@@ -4,8 +4,7 @@
 #include <signorini/contact/contact_target.h>
 #include <signorini/contact/contactor_surface.h>
 #include <signorini/contact/friction_law.h>
-
-#include <deal.II/lac/affine_constraints.h>
+#include <signorini/solid/dof_map.h>
 
 #include <memory>
 #include <string>
@@ -38,11 +37,10 @@ namespace Signorini
     /**
      * Nodes that cannot move at all are no candidates. Of those, hanging ones
      * are where their neighbours are; the others are held.
-     * @param is_fixed unknowns that do not move with the solution
+     * @param dof_map tells which unknowns are solved for
      */
-    ContactPair(ContactPairDescription<dim>            &&description,
-                const std::vector<bool>                 &is_fixed,
-                const dealii::AffineConstraints<double> &hanging_nodes);
+    ContactPair(ContactPairDescription<dim> &&description,
+                const DofMap                 &dof_map);
 
     /**
      * What is wrong in words if a node that is held lies inside of the target;

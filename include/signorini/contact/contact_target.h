@@ -54,11 +54,12 @@ namespace Signorini
     dealii::Tensor<1, dim>                      motion;   // y - y_n, m
 
     /** dy/dq for each unknown q that carries the point. */
-    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>> carriers;
+    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>>
+      supporting_dofs;
 
     /**
-     * grad grad g over x and the unknowns of `carriers', in this order, 1/m.
-     * Empty: zero.
+     * grad grad g over x and the unknowns of `supporting_dofs', in this order,
+     * 1/m. Empty: zero.
      */
     dealii::FullMatrix<double> curvature;
   };
@@ -72,7 +73,7 @@ namespace Signorini
    */
   template <int dim>
   double
-  passage_depth(const dealii::Point<dim> &position, const double way)
+  tunnelling_depth(const dealii::Point<dim> &position, const double way)
   {
     return 1e-6 * way + 1e-14 * position.norm();
   }
@@ -90,11 +91,11 @@ namespace Signorini
 
     /**
      * Where a point that is outside at both ends of the step goes through the
-     * target in between, deeper than passage_depth(): the outward normal of the
-     * target where the point went in, as it is now; none if it does not. What
-     * comes out on the same side has grazed a curved surface, not passed it:
-     * that is for the caller to tell. Positions are those of
-     * the start and the end; the point and the target move evenly.
+     * target in between, deeper than tunnelling_depth(): the outward normal of
+     * the target where the point went in, as it is now; none if it does not.
+     * What comes out on the same side has grazed a curved surface, not passed
+     * it: that is for the caller to tell. Positions are those of the start and
+     * the end; the point and the target move evenly.
      * @param start_gap m, infinite if the target was out of reach
      * @param unknown   of the point itself: what contains it is not passed
      */

@@ -21,7 +21,7 @@ namespace Signorini
     /** The body must outlive the object. @throws InputError. */
     DeformingCurve(const Body<2>              &body,
                    const std::string          &boundary,
-                   const std::vector<bool>    &is_fixed,
+                   const DofMap               &dof_map,
                    const SurfaceInterpolation &interpolation);
 
     std::unique_ptr<PlacedTarget<2>>

@@ -2,8 +2,8 @@
 #define signorini_contact_interface_numbering_h
 
 #include <signorini/contact/contact_point.h>
+#include <signorini/solid/dof_map.h>
 
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <vector>
@@ -17,16 +17,15 @@ namespace Signorini
   class InterfaceNumbering
   {
   public:
-    /** @param is_fixed unknowns that do not move with the solution */
-    explicit InterfaceNumbering(const std::vector<bool> &is_fixed);
+    /** @param dof_map must outlive the object */
+    explicit InterfaceNumbering(const DofMap &dof_map);
 
     /**
      * Adds an unknown, or in place of that of a hanging node those that it
      * follows; what is fixed or known already changes nothing.
      */
     void
-    add(const unsigned int                       unknown,
-        const dealii::AffineConstraints<double> &hanging_nodes);
+    add(const unsigned int unknown);
 
     /** All unknowns of the interface. */
     const std::vector<unsigned int> &
@@ -49,6 +48,7 @@ namespace Signorini
     void
     add_free(const unsigned int unknown);
 
+    const DofMap             &dof_map_;
     std::vector<unsigned int> unknowns_;
     std::vector<unsigned int> index_; // of all unknowns
   };

@@ -1,12 +1,13 @@
 #ifndef signorini_contact_mortar_h
 #define signorini_contact_mortar_h
 
-#include <signorini/contact/contact_rows.h>
+#include <signorini/contact/constraint_jacobian.h>
 
 namespace Signorini
 {
   /**
-   * One candidate a node: its gap is the mean over the share S_k of the surface
+   * Mortar with piecewise constant multipliers on the dual mesh: one candidate
+   * a node, whose gap is the mean over the share S_k of the surface
    * that is nearer to the node than to its neighbours (in an element of degree
    * 2 these are its mid-side nodes), as far as it has a target in reach,
    *

@@ -6,7 +6,7 @@
 #include <signorini/contact/rigid_surface.h>
 #include <signorini/input/entry_condition.h>
 #include <signorini/input/space_time_function.h>
-#include <signorini/solid/lumped_unknown.h>
+#include <signorini/solid/rigid_body_dof.h>
 
 #include <memory>
 #include <string>
@@ -69,7 +69,7 @@ namespace Signorini
     }
 
     /** Its unknowns, as the solid model wants them: none unless it is free. */
-    std::vector<LumpedUnknown>
+    std::vector<RigidBodyDof>
     unknowns() const;
 
     unsigned int

@@ -24,21 +24,21 @@ namespace Signorini
   {
   public:
     /**
-     * K^ = stiffness K + mass M + damping C; the rows of lumped unknowns, such
-     * as those of rigid bodies, are scaled once more.
+     * K^ = stiffness K + mass M + damping C; the rows of rigid bodies are
+     * scaled once more.
      */
     struct Factors
     {
       double stiffness = 1.; // 1
       double mass      = 0.; // 1/s^2
       double damping   = 0.; // 1/s
-      double lumped    = 1.; // 1
+      double rigid     = 1.; // 1
 
       bool
       operator==(const Factors &other) const
       {
         return stiffness == other.stiffness && mass == other.mass &&
-               damping == other.damping && lumped == other.lumped;
+               damping == other.damping && rigid == other.rigid;
       }
     };
 
@@ -80,8 +80,9 @@ namespace Signorini
      * it is factorised with springs at pins, which the interface problem does
      * not have (FreeModes). It may be indefinite, since it buckles. Springs are
      * then added which resist a correction and vanish as the iteration
-     * converges, at first on the interface only, whose condensed stiffness is
-     * known without them, and if that is not enough on all unknowns.
+     * converges (proximal-point regularisation [Rockafellar1976]), at first on
+     * the interface only, whose condensed stiffness is known without them, and
+     * if that is not enough on all unknowns.
      *
      * @param tangent K of the present iterate; null: the constant one of a
      *                linear solid

@@ -1,6 +1,7 @@
 #ifndef signorini_dynamics_free_modes_h
 #define signorini_dynamics_free_modes_h
 
+#include <signorini/solid/dof_map.h>
 #include <signorini/variational_inequality/sparse_row.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -44,11 +45,10 @@ namespace Signorini
     /**
      * As many unknowns as modes, so that to hold them holds all modes: those
      * of the largest pivots of an elimination.
-     * @param is_fixed unknowns that will not do
+     * @param dof_map those that it constrains will not do
      */
     static std::vector<unsigned int>
-    pins(std::vector<dealii::Vector<double>> modes,
-         const std::vector<bool>            &is_fixed);
+    pins(std::vector<dealii::Vector<double>> modes, const DofMap &dof_map);
 
     /** A spring k q q^T, with k in N/m and q over the interface, 1. */
     struct Spring

@@ -264,9 +264,9 @@ namespace Signorini
 
     // @throws StepFailed if a node was through a target and out again.
     void
-    refuse_passage(const State   &old_state,
-                   const Iterate &iterate,
-                   const State   &state) const;
+    refuse_tunnelling(const State   &old_state,
+                      const Iterate &iterate,
+                      const State   &state) const;
 
     Iterate
     improve(const State                          &old_state,

@@ -24,7 +24,7 @@
 
 namespace Signorini
 {
-  /** What a run is told beside its problem. */
+  /** Run options: how to run, beside the problem. */
   struct RunTask
   {
     std::string                   folder;    // of the results; it exists

@@ -2,6 +2,7 @@
 #define signorini_solid_mass_redistribution_h
 
 #include <signorini/solid/body.h>
+#include <signorini/solid/dof_map.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -42,7 +43,7 @@ namespace Signorini
      * Finds the weights of the contact nodes of a body.
      *
      * @param contact_nodes nodes that lose their mass
-     * @param is_fixed      unknowns of given motion, which keep their mass
+     * @param dof_map       its constrained unknowns keep their mass
      * @param is_hanging    unknowns of hanging nodes, which take no mass
      * @throws InputError when a body has too few inner nodes.
      */
@@ -50,8 +51,7 @@ namespace Signorini
     void
     add(const Body<dim>              &body,
         const std::vector<Node<dim>> &contact_nodes,
-        const std::vector<bool>      &is_fixed,
-        const std::vector<bool>      &is_hanging);
+        const DofMap                 &dof_map);
 
     bool
     is_massless(const unsigned int dof) const

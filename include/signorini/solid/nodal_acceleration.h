@@ -1,6 +1,8 @@
 #ifndef signorini_solid_nodal_acceleration_h
 #define signorini_solid_nodal_acceleration_h
 
+#include <signorini/solid/dof_map.h>
+
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -11,14 +13,14 @@ namespace Signorini
   /**
    * Accelerations with M A = force on the unknowns that have mass.
    *
-   * @param is_fixed     unknowns whose acceleration is given
+   * @param dof_map      those that it constrains keep their acceleration
    * @param force        N
    * @param acceleration a first guess, with what is given; the solution, m/s^2
    * @throws dealii::SolverControl::NoConvergence.
    */
   void
   accelerate(const dealii::SparseMatrix<double> &mass,
-             const std::vector<bool>            &is_fixed,
+             const DofMap                       &dof_map,
              const dealii::Vector<double>       &force,
              dealii::Vector<double>             &acceleration);
 } // namespace Signorini

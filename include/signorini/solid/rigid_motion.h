@@ -27,7 +27,7 @@ namespace Signorini
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
                    const dealii::Vector<double>        &displacement,
-                   const std::vector<bool>             &is_fixed,
+                   const DofMap                        &dof_map,
                    const std::vector<SlidingNode<dim>> &sliding_nodes = {});
 } // namespace Signorini
 

@@ -3,13 +3,13 @@
 
 #include <signorini/solid/assembler.h>
 #include <signorini/solid/body.h>
+#include <signorini/solid/dof_map.h>
 #include <signorini/solid/loads.h>
-#include <signorini/solid/lumped_unknown.h>
 #include <signorini/solid/mass_redistribution.h>
+#include <signorini/solid/rigid_body_dof.h>
 #include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/supports.h>
 
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
@@ -56,9 +56,9 @@ namespace Signorini
       std::vector<std::string>     changed_bodies; // in a moment of mass
     };
 
-    /** @param lumped unknowns, counted after those of the bodies */
-    explicit SolidModel(std::vector<Part>          parts,
-                        std::vector<LumpedUnknown> lumped = {});
+    /** @param rigid_body_dofs counted after those of the bodies */
+    explicit SolidModel(std::vector<Part>         parts,
+                        std::vector<RigidBodyDof> rigid_body_dofs = {});
 
     /**
      * Builds the sparsity pattern and assembles stiffness, mass and damping.
@@ -81,35 +81,13 @@ namespace Signorini
     unsigned int
     n_dofs() const
     {
-      return is_fixed_.size();
+      return dof_map_.size();
     }
 
-    /** The first of the lumped unknowns, which come last. */
-    unsigned int
-    first_lumped() const
+    const DofMap &
+    dof_map() const
     {
-      return n_dofs() - lumped_.size();
-    }
-
-    /** Unknowns that are not solved for: given motion, hanging nodes. */
-    const std::vector<bool> &
-    is_fixed() const
-    {
-      return is_fixed_;
-    }
-
-    /** Unknowns of given motion. Hanging nodes hold nothing by themselves. */
-    const std::vector<bool> &
-    is_given() const
-    {
-      return is_given_;
-    }
-
-    /** Unknowns of hanging nodes, which follow their neighbours. */
-    const std::vector<bool> &
-    is_hanging() const
-    {
-      return is_hanging_;
+      return dof_map_;
     }
 
     /** True if no unknown has a motion that depends on time. */
@@ -117,13 +95,6 @@ namespace Signorini
     supports_are_fixed() const
     {
       return supports_are_fixed_;
-    }
-
-    /** Constraints of hanging and of sliding nodes. */
-    const dealii::AffineConstraints<double> &
-    constraints() const
-    {
-      return constraints_;
     }
 
     const dealii::SparsityPattern &
@@ -175,8 +146,8 @@ namespace Signorini
 
     /**
      * A basis of what supports leave free of the motions as a whole: of each
-     * connected part of the bodies, and of each free lumped unknown. Nothing
-     * but contact holds these in a static run.
+     * connected part of the bodies, and of each free unknown of a rigid body.
+     * Nothing but contact holds these in a static run.
      * @param displacement where the bodies are, m
      */
     std::vector<RigidMode>
@@ -251,6 +222,8 @@ namespace Signorini
 
   private:
     void
+    number_dofs(const unsigned int n_body_dofs);
+    void
     build_sparsity();
     bool
     has_damping() const;
@@ -267,23 +240,20 @@ namespace Signorini
       const std::function<double(const Body<dim> &)> &factor,
       dealii::SparseMatrix<double>                   &matrix) const;
 
-    std::vector<Part>                 parts_;
-    std::vector<LumpedUnknown>        lumped_;
-    dealii::AffineConstraints<double> constraints_;
-    std::vector<bool>                 is_hanging_;
-    std::vector<bool>                 is_given_;
-    std::vector<bool>                 is_fixed_;
-    MassRedistribution                undamped_; // all that may touch
-    dealii::SparsityPattern           sparsity_;
-    dealii::SparseMatrix<double>      stiffness_;
-    dealii::Vector<double>            cell_size_; // around each unknown, m
-    dealii::SparseMatrix<double>      mass_;
-    dealii::SparseMatrix<double>      damping_;
-    bool                              is_linear_;
-    std::vector<unsigned int>         first_history_; // of each body, and end
-    bool                              loads_vary_;
-    bool                              loads_follow_;
-    bool                              supports_are_fixed_;
+    std::vector<Part>            parts_;
+    std::vector<RigidBodyDof>    rigid_body_dofs_;
+    DofMap                       dof_map_;
+    MassRedistribution           undamped_; // all that may touch
+    dealii::SparsityPattern      sparsity_;
+    dealii::SparseMatrix<double> stiffness_;
+    dealii::Vector<double>       cell_size_; // around each unknown, m
+    dealii::SparseMatrix<double> mass_;
+    dealii::SparseMatrix<double> damping_;
+    bool                         is_linear_;
+    std::vector<unsigned int>    first_history_; // of each body, and end
+    bool                         loads_vary_;
+    bool                         loads_follow_;
+    bool                         supports_are_fixed_;
 
     // The forces last asked for, and their time.
     mutable double                 force_time_;

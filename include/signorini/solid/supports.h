@@ -4,6 +4,7 @@
 #include <signorini/input/space_time_function.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/displacement_history.h>
+#include <signorini/solid/dof_map.h>
 
 #include <memory>
 #include <set>
@@ -49,7 +50,7 @@ namespace Signorini
 
     /** Marks the unknowns that are given. */
     void
-    mark(std::vector<bool> &is_fixed) const;
+    mark(DofMap &dof_map) const;
 
     /** Writes the given displacements (m) at this time into a vector. */
     void

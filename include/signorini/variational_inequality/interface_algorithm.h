@@ -40,7 +40,7 @@ namespace Signorini
     /** Does the solution obey the law of the problem, friction included, so
      * that its KKT residual is that of the algorithm? */
     virtual bool
-    obeys_the_law() const
+    satisfies_coulomb() const
     {
       return enforces_exactly();
     }

@@ -27,7 +27,7 @@ namespace Signorini
 
     /** Not if a slip was chosen over which friction is regularised. */
     bool
-    obeys_the_law() const override
+    satisfies_coulomb() const override
     {
       return control.regularisation_slip == 0.;
     }

@@ -4,6 +4,7 @@
 #include <signorini/geometry/files/mesh_data_checks.h>
 #include <signorini/geometry/mesh_topology.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -204,8 +205,8 @@ namespace Signorini
     return mesh;
   }
 
-  template Mesh<2>
-  build_mesh<2>(const MeshData &, const double);
-  template Mesh<3>
-  build_mesh<3>(const MeshData &, const double);
+#define INSTANTIATE(dim) \
+  template Mesh<dim> build_mesh<dim>(const MeshData &, const double);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/geometry/files/gmsh_reader.h>
 #include <signorini/geometry/files/mesh_file.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/instantiate.h>
 #include <signorini/input/nearest_name.h>
 #include <signorini/input/regular_file.h>
 
@@ -128,6 +129,7 @@ namespace Signorini
       }
   }
 
-  template class MeshFile<2>;
-  template class MeshFile<3>;
+#define INSTANTIATE(dim) template class MeshFile<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

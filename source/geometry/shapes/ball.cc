@@ -1,6 +1,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/shapes/ball.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_generator.h>
@@ -54,6 +55,7 @@ namespace Signorini
     return mesh;
   }
 
-  template class Ball<2>;
-  template class Ball<3>;
+#define INSTANTIATE(dim) template class Ball<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

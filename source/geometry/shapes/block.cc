@@ -2,6 +2,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/shapes/block.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_generator.h>
@@ -157,6 +158,7 @@ namespace Signorini
     return points;
   }
 
-  template class Block<2>;
-  template class Block<3>;
+#define INSTANTIATE(dim) template class Block<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

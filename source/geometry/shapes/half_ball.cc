@@ -1,6 +1,7 @@
 #include <signorini/geometry/empty_mesh.h>
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/shapes/half_ball.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_generator.h>
@@ -120,6 +121,7 @@ namespace Signorini
     return mesh;
   }
 
-  template class HalfBall<2>;
-  template class HalfBall<3>;
+#define INSTANTIATE(dim) template class HalfBall<dim>;
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #include <signorini/geometry/entries.h>
 #include <signorini/geometry/mesh_refinement.h>
 #include <signorini/geometry/shapes/round_shape.h>
+#include <signorini/input/instantiate.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -105,14 +106,11 @@ namespace Signorini
     refine_globally(triangulation, shape.initial_refinements - n_smooth);
   }
 
-  template struct RoundShape<2>;
-  template struct RoundShape<3>;
-  template void
-  refine_round<2>(const RoundShape<2> &,
-                  const types::boundary_id,
-                  Triangulation<2> &);
-  template void
-  refine_round<3>(const RoundShape<3> &,
-                  const types::boundary_id,
-                  Triangulation<3> &);
+#define INSTANTIATE(dim)                                    \
+  template struct RoundShape<dim>;                          \
+  template void refine_round<dim>(const RoundShape<dim> &,  \
+                                  const types::boundary_id, \
+                                  Triangulation<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

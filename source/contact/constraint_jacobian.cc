@@ -1,4 +1,5 @@
-#include <signorini/contact/contact_rows.h>
+#include <signorini/contact/constraint_jacobian.h>
+#include <signorini/input/instantiate.h>
 
 namespace Signorini
 {
@@ -8,18 +9,18 @@ namespace Signorini
   {
     // An entry of a hanging node goes to the nodes that it follows.
     void
-    add_resolved(const AffineConstraints<double> &hanging_nodes,
+    add_resolved(const AffineConstraints<double> &constraints,
                  const unsigned int               unknown,
                  const double                     coefficient,
                  SparseRow                       &row)
     {
       if (coefficient == 0.)
         return;
-      if (!hanging_nodes.is_constrained(unknown))
+      if (!constraints.is_constrained(unknown))
         row.add(unknown, coefficient);
       else
         for (const auto &[master, factor] :
-             *hanging_nodes.get_constraint_entries(unknown))
+             *constraints.get_constraint_entries(unknown))
           row.add(master, coefficient * factor);
     }
 
@@ -42,19 +43,19 @@ namespace Signorini
       std::vector<CurvatureShare> shares;
       const auto                  add =
         [&](const unsigned int unknown, const unsigned int row, double factor) {
-          if (!placed.hanging_nodes.is_constrained(unknown))
+          if (!placed.constraints.is_constrained(unknown))
             shares.push_back({unknown, row, factor});
           else
             for (const auto &[master, share] :
-                 *placed.hanging_nodes.get_constraint_entries(unknown))
+                 *placed.constraints.get_constraint_entries(unknown))
               shares.push_back(
                 {static_cast<unsigned int>(master), row, factor * share});
         };
       for (const auto &[node, share] : nodes)
         for (unsigned int c = 0; c < dim; ++c)
           add(placed.pair.surface.nodes[node].dofs[c], c, share);
-      for (unsigned int j = 0; j < target.carriers.size(); ++j)
-        add(target.carriers[j].first, dim + j, 1.);
+      for (unsigned int j = 0; j < target.supporting_dofs.size(); ++j)
+        add(target.supporting_dofs[j].first, dim + j, 1.);
 
       GapCurvature curvature;
       curvature.matrix.reinit(shares.size(), shares.size());
@@ -87,9 +88,9 @@ namespace Signorini
   PlacedPair<dim>::PlacedPair(const ContactPair<dim>          &pair,
                               const Configuration             &now,
                               const Configuration             &before,
-                              const AffineConstraints<double> &hanging_nodes)
+                              const AffineConstraints<double> &constraints)
     : pair(pair)
-    , hanging_nodes(hanging_nodes)
+    , constraints(constraints)
     , positions(node_positions(pair.surface.nodes, now.displacement))
     , positions_before(node_positions(pair.surface.nodes, before.displacement))
     , normals(node_normals(pair.surface, positions))
@@ -136,12 +137,12 @@ namespace Signorini
     const auto add_row = [&](const Tensor<1, dim> &direction, SparseRow &row) {
       for (const auto &[node, share] : nodes)
         for (unsigned int c = 0; c < dim; ++c)
-          add_resolved(placed.hanging_nodes,
+          add_resolved(placed.constraints,
                        placed.pair.surface.nodes[node].dofs[c],
                        weight * share * direction[c],
                        row);
-      for (const auto &[unknown, motion] : target.carriers)
-        add_resolved(placed.hanging_nodes,
+      for (const auto &[unknown, motion] : target.supporting_dofs)
+        add_resolved(placed.constraints,
                      unknown,
                      -weight * (direction * motion),
                      row);
@@ -179,26 +180,17 @@ namespace Signorini
 
 
 
-  template struct PlacedPair<2>;
-  template struct PlacedPair<3>;
-  template std::optional<TargetPoint<2>>
-  closest_to(const PlacedPair<2> &, const WeightedNodes &);
-  template std::optional<TargetPoint<3>>
-  closest_to(const PlacedPair<3> &, const WeightedNodes &);
-  template void
-  add_to_candidate(const PlacedPair<2> &,
-                   const WeightedNodes &,
-                   const TargetPoint<2> &,
-                   const double,
-                   ContactPoint<2> &);
-  template void
-  add_to_candidate(const PlacedPair<3> &,
-                   const WeightedNodes &,
-                   const TargetPoint<3> &,
-                   const double,
-                   ContactPoint<3> &);
-  template std::vector<ContactPoint<2>>
-  node_to_surface_points(const PlacedPair<2> &);
-  template std::vector<ContactPoint<3>>
-  node_to_surface_points(const PlacedPair<3> &);
+#define INSTANTIATE(dim)                                                       \
+  template struct PlacedPair<dim>;                                             \
+  template std::optional<TargetPoint<dim>> closest_to(const PlacedPair<dim> &, \
+                                                      const WeightedNodes &);  \
+  template void add_to_candidate(const PlacedPair<dim> &,                      \
+                                 const WeightedNodes &,                        \
+                                 const TargetPoint<dim> &,                     \
+                                 const double,                                 \
+                                 ContactPoint<dim> &);                         \
+  template std::vector<ContactPoint<dim>> node_to_surface_points(              \
+    const PlacedPair<dim> &);
+  SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,15 +1,15 @@
-#ifndef signorini_solid_lumped_unknown_h
-#define signorini_solid_lumped_unknown_h
+#ifndef signorini_solid_rigid_body_dof_h
+#define signorini_solid_rigid_body_dof_h
 
 #include <functional>
 
 namespace Signorini
 {
   /**
-   * An unknown with a mass of its own that belongs to no mesh, such as a
-   * displacement of a rigid body. Nothing but contact couples it to others.
+   * An unknown of a rigid body: a displacement of its centre, or its rotation
+   * times a length. Nothing but contact couples it to others.
    */
-  struct LumpedUnknown
+  struct RigidBodyDof
   {
     double mass             = 0.; // kg
     double initial_velocity = 0.; // m/s

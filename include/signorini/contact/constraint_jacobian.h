@@ -1,5 +1,5 @@
-#ifndef signorini_contact_contact_rows_h
-#define signorini_contact_contact_rows_h
+#ifndef signorini_contact_constraint_jacobian_h
+#define signorini_contact_constraint_jacobian_h
 
 #include <signorini/contact/contact_model.h>
 
@@ -12,10 +12,10 @@ namespace Signorini
     PlacedPair(const ContactPair<dim>                  &pair,
                const Configuration                     &now,
                const Configuration                     &before,
-               const dealii::AffineConstraints<double> &hanging_nodes);
+               const dealii::AffineConstraints<double> &constraints);
 
     const ContactPair<dim>                  &pair;
-    const dealii::AffineConstraints<double> &hanging_nodes;
+    const dealii::AffineConstraints<double> &constraints;
     std::vector<dealii::Point<dim>>          positions; // of surface nodes
     std::vector<dealii::Point<dim>>          positions_before;
     std::vector<dealii::Tensor<1, dim>>      normals;
