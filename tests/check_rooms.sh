@@ -39,10 +39,10 @@ check curves 'input/' "$elements|$solvers|deal\.II/grid/"
 check geometry 'input/' 'deal\.II/(dofs|lac|matrix_free|meshworker)/'
 check material 'input/' "$elements|$solvers"
 check variational_inequality 'input/' "$elements|$solvers"
-check linear_algebra 'input/|variational_inequality/interface_stiffness\.h' 'deal\.II/(fe|grid|hp|meshworker)/'
+check linear_algebra 'input/|variational_inequality/interface_(stiffness|types)\.h' 'deal\.II/(fe|grid|hp|meshworker)/'
 check solid '(input|geometry|material|time|linear_algebra)/' 'cholmod'
-check contact '(input|curves|geometry|solid)/|variational_inequality/interface_problem\.h' "$solvers"
-check output '(input|geometry|solid|contact|time)/' "$solvers"
+check contact '(input|curves|geometry|solid)/|variational_inequality/interface_(problem|types)\.h|linear_algebra/types\.h' "$solvers"
+check output '(input|geometry|solid|contact|time)/|linear_algebra/types\.h' "$solvers"
 check dynamics '(input|time|linear_algebra|variational_inequality|solid|contact|output)/' "$solvers|deal\.II/(fe|meshworker|matrix_free)/"
 check run '[a-z_]+/|version\.h' "$solvers|deal\.II/(fe|meshworker|matrix_free)/"
 

@@ -314,7 +314,7 @@ namespace Signorini
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &contact_forces,
     const double                          factor,
-    Vector<double>                       &forces) const
+    DofVector                            &forces) const
   {
     AssertDimension(contact_forces.normal.size(), n_contacts_);
     for (unsigned int k = 0; k < n_contacts_; ++k)
@@ -336,7 +336,7 @@ namespace Signorini
   ContactModel<dim>::add_geometric_stiffness(
     const std::vector<ContactPoint<dim>> &points,
     const std::vector<double>            &normal_forces,
-    FullMatrix<double>                   &stiffness) const
+    InterfaceMatrix                      &stiffness) const
   {
     for (unsigned int k = 0; k < n_contacts_; ++k)
       {

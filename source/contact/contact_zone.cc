@@ -35,7 +35,7 @@ namespace Signorini
   ContactZone<dim>
   contact_zone(const ContactPair<dim>    &pair,
                const std::vector<double> &normal_forces,
-               const Vector<double>      &displacement)
+               const DofVector           &displacement)
   {
     const ContactorSurface<dim> &surface = pair.contactor;
     const auto positions = node_positions(surface.nodes, displacement);
@@ -61,7 +61,7 @@ namespace Signorini
   near_misses(const ContactPair<dim>    &pair,
               const std::vector<double> &normal_forces,
               const std::vector<double> &gaps,
-              const Vector<double>      &displacement)
+              const DofVector           &displacement)
   {
     const auto &nodes     = pair.contactor.nodes;
     const auto  positions = node_positions(nodes, displacement);
@@ -89,11 +89,11 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                        \
   template ContactZone<dim>           contact_zone(const ContactPair<dim> &,    \
                                                    const std::vector<double> &, \
-                                                   const Vector<double> &);     \
+                                                   const DofVector &);          \
   template std::vector<NearMiss<dim>> near_misses(const ContactPair<dim> &,     \
                                                   const std::vector<double> &,  \
                                                   const std::vector<double> &,  \
-                                                  const Vector<double> &);
+                                                  const DofVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -173,7 +173,7 @@ namespace Signorini
   template <int dim>
   std::vector<Point<dim>>
   node_positions(const std::vector<Node<dim>> &nodes,
-                 const Vector<double>         &displacement)
+                 const DofVector              &displacement)
   {
     std::vector<Point<dim>> positions;
     positions.reserve(nodes.size());
@@ -240,7 +240,7 @@ namespace Signorini
   template ContactorSurface<dim>   contactor_surface(const Body<dim> &,    \
                                                      const std::string &); \
   template std::vector<Point<dim>> node_positions(                         \
-    const std::vector<Node<dim>> &, const Vector<double> &);               \
+    const std::vector<Node<dim>> &, const DofVector &);                    \
   template std::vector<double> area_stretches(                             \
     const ContactorSurface<dim> &,                                         \
     const Formulation,                                                     \

@@ -61,7 +61,7 @@ namespace Signorini
   void
   InterfaceNumbering::add_curvature(const GapCurvature &curvature,
                                     const double        factor,
-                                    FullMatrix<double> &matrix) const
+                                    InterfaceMatrix    &matrix) const
   {
     const auto &[unknowns, second_derivative] = curvature;
     for (unsigned int i = 0; i < unknowns.size(); ++i)

@@ -19,7 +19,7 @@ namespace Signorini
     {
     public:
       PlacedSurface(const ContactorSurface<dim> &surface,
-                    const Vector<double>        &displacement)
+                    const DofVector             &displacement)
         : positions(node_positions(surface.nodes, displacement))
         , pieces(pieces_of(surface, positions))
         , curvatures(curvatures_of(surface, positions))

@@ -19,10 +19,10 @@ namespace Signorini
     // The rigid motions of a body where it is now, as far as its supports do
     // not prevent them component by component.
     template <int dim>
-    std::vector<Vector<double>>
+    std::vector<DofVector>
     rigid_motions(const SolidModel<dim>                &solid,
                   const typename SolidModel<dim>::Part &part,
-                  const Vector<double>                 &displacement)
+                  const DofVector                      &displacement)
     {
       const Body<dim>      &body = *part.body;
       std::array<bool, dim> is_free;
@@ -35,8 +35,8 @@ namespace Signorini
       if (is_round)
         is_free[0] = false;
 
-      std::vector<Vector<double>> motions;
-      const auto                  add = [&](const auto &value) {
+      std::vector<DofVector> motions;
+      const auto             add = [&](const auto &value) {
         motions.emplace_back(displacement.size());
         for (const auto &node : body.nodes())
           for (unsigned int c = 0; c < dim; ++c)
@@ -66,28 +66,28 @@ namespace Signorini
     }
 
     // Coefficients a with R^T M R a = right side.
-    Vector<double>
-    coefficients(const std::vector<Vector<double>> &motions,
-                 const SparseMatrix<double>        &mass,
-                 const Vector<double>              &right_side)
+    DofVector
+    coefficients(const std::vector<DofVector> &motions,
+                 const DofMatrix              &mass,
+                 const DofVector              &right_side)
     {
       FullMatrix<double> gram(motions.size());
       for (unsigned int i = 0; i < motions.size(); ++i)
         for (unsigned int j = 0; j < motions.size(); ++j)
           gram(i, j) = mass.matrix_scalar_product(motions[i], motions[j]);
       gram.gauss_jordan();
-      Vector<double> result(motions.size());
+      DofVector result(motions.size());
       gram.vmult(result, right_side);
       return result;
     }
 
     // R^T M v.
-    Vector<double>
-    momenta(const std::vector<Vector<double>> &motions,
-            const SparseMatrix<double>        &mass,
-            const Vector<double>              &velocity)
+    DofVector
+    momenta(const std::vector<DofVector> &motions,
+            const DofMatrix              &mass,
+            const DofVector              &velocity)
     {
-      Vector<double> product(velocity.size()), result(motions.size());
+      DofVector product(velocity.size()), result(motions.size());
       mass.vmult(product, velocity);
       for (unsigned int i = 0; i < motions.size(); ++i)
         result[i] = motions[i] * product;
@@ -96,10 +96,10 @@ namespace Signorini
 
     // v += R x.
     void
-    add(const std::vector<Vector<double>> &motions,
-        const Vector<double>              &coefficients,
-        const double                       factor,
-        Vector<double>                    &velocity)
+    add(const std::vector<DofVector> &motions,
+        const DofVector              &coefficients,
+        const double                  factor,
+        DofVector                    &velocity)
     {
       for (unsigned int i = 0; i < motions.size(); ++i)
         velocity.add(factor * coefficients[i], motions[i]);
@@ -107,15 +107,15 @@ namespace Signorini
 
     // Changes the rigid part of v such that R^T M' v' = R^T M v.
     void
-    keep_momenta(const std::vector<Vector<double>> &motions,
-                 const SparseMatrix<double>        &old_mass,
-                 const SparseMatrix<double>        &mass,
-                 const Vector<double>              &old_velocity,
-                 Vector<double>                    &velocity)
+    keep_momenta(const std::vector<DofVector> &motions,
+                 const DofMatrix              &old_mass,
+                 const DofMatrix              &mass,
+                 const DofVector              &old_velocity,
+                 DofVector                    &velocity)
     {
       if (motions.empty())
         return;
-      Vector<double> change = momenta(motions, old_mass, old_velocity);
+      DofVector change = momenta(motions, old_mass, old_velocity);
       change -= momenta(motions, mass, velocity);
       add(motions, coefficients(motions, mass, change), 1., velocity);
     }
@@ -123,12 +123,12 @@ namespace Signorini
     // v' = g + s f with the energy 1/2 v'.M v' and s near 1; s = 1 if there is
     // none.
     void
-    keep_energy(const SparseMatrix<double> &mass,
-                const double                energy,
-                const Vector<double>       &moving,
-                Vector<double>             &velocity)
+    keep_energy(const DofMatrix &mass,
+                const double     energy,
+                const DofVector &moving,
+                DofVector       &velocity)
     {
-      Vector<double> rest(velocity);
+      DofVector rest(velocity);
       rest -= moving;
       const double a = 0.5 * mass.matrix_norm_square(moving);
       const double b = mass.matrix_scalar_product(rest, moving);
@@ -152,12 +152,12 @@ namespace Signorini
     // The part of a vector that belongs to the unknowns of a body, or to those
     // of them that the solution moves.
     template <int dim, typename Predicate>
-    Vector<double>
-    part_of(const Body<dim>      &body,
-            const Vector<double> &vector,
-            const Predicate      &belongs)
+    DofVector
+    part_of(const Body<dim> &body,
+            const DofVector &vector,
+            const Predicate &belongs)
     {
-      Vector<double> result(vector.size());
+      DofVector result(vector.size());
       for (unsigned int i = body.first_dof();
            i < body.first_dof() + body.n_dofs();
            ++i)
@@ -295,7 +295,7 @@ namespace Signorini
                                  const std::vector<unsigned int> &nodes)
   {
     // Kept, since mass() makes a new one.
-    SparseMatrix<double> old_mass(solid_.sparsity());
+    DofMatrix old_mass(solid_.sparsity());
     old_mass.copy_from(mass(state).matrix);
 
     State result = state;
@@ -303,8 +303,8 @@ namespace Signorini
     all.insert(all.end(), nodes.begin(), nodes.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    const Mass                 &new_mass = mass(result);
-    const SparseMatrix<double> &matrix   = new_mass.matrix;
+    const Mass      &new_mass = mass(result);
+    const DofMatrix &matrix   = new_mass.matrix;
 
     const std::set<unsigned int> new_nodes(nodes.begin(), nodes.end());
     if (result.handed_over.size() == 0)
@@ -320,7 +320,7 @@ namespace Signorini
           result.internal_force[i] = result.external_force[i];
         }
     // So do the forces of inertia.
-    Vector<double> inertia(solid_.n_dofs());
+    DofVector inertia(solid_.n_dofs());
     old_mass.vmult(inertia, state.acceleration);
     for (unsigned int i = 0; i < solid_.dof_map().n_body_dofs(); ++i)
       if (new_nodes.count(node_of_unknown_[i]) > 0 &&
@@ -343,15 +343,15 @@ namespace Signorini
   State
   ContactInertia<dim>::give_mass(const State &state)
   {
-    SparseMatrix<double> old_mass(solid_.sparsity());
+    DofMatrix old_mass(solid_.sparsity());
     old_mass.copy_from(mass(state).matrix);
     State result = state;
     result.massless_nodes.clear();
-    result.keeps_mass                  = true;
-    const SparseMatrix<double> &matrix = mass(result).matrix;
+    result.keeps_mass       = true;
+    const DofMatrix &matrix = mass(result).matrix;
 
     // What had no mass was in balance: the forces of inertia stay.
-    Vector<double> inertia(solid_.n_dofs());
+    DofVector inertia(solid_.n_dofs());
     old_mass.vmult(inertia, state.acceleration);
     accelerate(matrix, solid_.dof_map(), inertia, result.acceleration);
     solid_.dof_map().constraints().distribute(result.acceleration);
@@ -364,11 +364,11 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactInertia<dim>::keep_motion(const SparseMatrix<double>      &old_mass,
-                                   const SparseMatrix<double>      &mass,
+  ContactInertia<dim>::keep_motion(const DofMatrix                 &old_mass,
+                                   const DofMatrix                 &mass,
                                    const std::vector<unsigned int> &nodes,
-                                   const Vector<double> &old_velocity,
-                                   State                &result) const
+                                   const DofVector &old_velocity,
+                                   State           &result) const
   {
     for (const auto &part : solid_.parts())
       {
@@ -385,14 +385,14 @@ namespace Signorini
         const auto motions = rigid_motions(solid_, part, result.displacement);
         keep_momenta(motions, old_mass, mass, old_velocity, result.velocity);
 
-        const Vector<double> before = part_of(body, old_velocity, all_of);
-        Vector<double>       now    = part_of(body, result.velocity, all_of);
-        const Vector<double> others = [&] {
-          Vector<double> rest(result.velocity);
+        const DofVector before = part_of(body, old_velocity, all_of);
+        DofVector       now    = part_of(body, result.velocity, all_of);
+        const DofVector others = [&] {
+          DofVector rest(result.velocity);
           rest -= now;
           return rest;
         }();
-        Vector<double> moving = part_of(body, now, free_of);
+        DofVector moving = part_of(body, now, free_of);
         if (!motions.empty())
           add(motions,
               coefficients(motions, mass, momenta(motions, mass, moving)),

@@ -22,9 +22,9 @@ namespace Signorini
     {
       if (old_state.handed_over.size() == 0)
         return 0.;
-      Vector<double> motion(state.displacement);
+      DofVector motion(state.displacement);
       motion -= old_state.displacement;
-      Vector<double> carried(motion);
+      DofVector carried(motion);
       redistribution.extrapolate(carried);
       return 0.5 *
              (old_state.handed_over * carried - old_state.handed_over * motion);
@@ -32,18 +32,18 @@ namespace Signorini
 
     // What did that work: the force F_c on a node and its reaction P^T F_c
     // where its mass went.
-    Vector<double>
+    DofVector
     landing_force(const MassRedistribution &redistribution,
                   const State              &old_state,
                   const unsigned int        n_unknowns)
     {
       if (old_state.handed_over.size() == 0)
-        return Vector<double>(n_unknowns);
-      Vector<double> reaction(old_state.handed_over);
+        return DofVector(n_unknowns);
+      DofVector reaction(old_state.handed_over);
       for (unsigned int i = 0; i < n_unknowns; ++i)
         if (redistribution.is_massless(i))
           redistribution.hand_over(i, reaction);
-      Vector<double> force(old_state.handed_over);
+      DofVector force(old_state.handed_over);
       force -= reaction;
       return force;
     }
@@ -87,16 +87,16 @@ namespace Signorini
     const double lost =
       state.energy.scheme_loss() - old_state.energy.scheme_loss() - undue;
 
-    Vector<double> force(state.velocity.size());
+    DofVector force(state.velocity.size());
     contact.add_contact_forces(points, step_contact.normal_forces(), 1., force);
     if (force.all_zero())
       force = landing_force(mass.redistribution, old_state, force.size());
     if (force.all_zero())
       return;
-    Vector<double> direction = system.respond(force);
+    DofVector direction = system.respond(force);
     mass.redistribution.extrapolate(direction);
 
-    Vector<double> momentum(direction.size());
+    DofVector momentum(direction.size());
     mass.matrix.vmult(momentum, direction);
     const double a            = 0.5 * (direction * momentum);
     const double b            = state.velocity * momentum;

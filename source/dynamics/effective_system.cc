@@ -29,8 +29,7 @@ namespace Signorini
     // Mean diagonal entry of the unknowns that a mode moves; zero if none of
     // them has a stiffness.
     double
-    mean_stiffness(const SparseMatrix<double> &stiffness,
-                   const Vector<double>       &mode)
+    mean_stiffness(const DofMatrix &stiffness, const DofVector &mode)
     {
       double       sum = 0.;
       unsigned int n   = 0;
@@ -56,11 +55,11 @@ namespace Signorini
           stiffness = smallest;
     }
 
-    Vector<double>
+    InterfaceVector
     restrict_to(const std::vector<unsigned int> &unknowns,
-                const Vector<double>            &values)
+                const DofVector                 &values)
     {
-      Vector<double> result(unknowns.size());
+      InterfaceVector result(unknowns.size());
       for (unsigned int i = 0; i < unknowns.size(); ++i)
         result[i] = values[unknowns[i]];
       return result;
@@ -111,15 +110,15 @@ namespace Signorini
   void
   EffectiveSystem<dim>::pin_free_modes()
   {
-    const Vector<double>        at_start(solid_.n_dofs());
-    std::vector<Vector<double>> motions;
+    const DofVector        at_start(solid_.n_dofs());
+    std::vector<DofVector> motions;
     for (auto &mode : solid_.free_modes(at_start))
       {
         mode_stiffness_.push_back(
           mean_stiffness(solid_.stiffness(), mode.motion));
         motions.push_back(std::move(mode.motion));
       }
-    Vector<double> everything(solid_.n_dofs());
+    DofVector everything(solid_.n_dofs());
     everything = 1.;
     replace_zeros(mode_stiffness_,
                   mean_stiffness(solid_.stiffness(), everything));
@@ -138,11 +137,11 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::place(const Vector<double> &displacement)
+  EffectiveSystem<dim>::place(const DofVector &displacement)
   {
     if (pins_.empty())
       return;
-    std::vector<Vector<double>> modes;
+    std::vector<InterfaceVector> modes;
     for (const auto &mode : solid_.free_modes(displacement))
       modes.push_back(restrict_to(trailing_, mode.motion));
     free_modes_ = FreeModes(modes, mode_stiffness_);
@@ -152,8 +151,8 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::use_mass(const SparseMatrix<double> &mass,
-                                 const bool                  is_everywhere)
+  EffectiveSystem<dim>::use_mass(const DofMatrix &mass,
+                                 const bool       is_everywhere)
   {
     is_factorised_ = is_factorised_ && mass_ == &mass;
     mass_          = &mass;
@@ -164,8 +163,8 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::factorise(const Factors              &factors,
-                                  const SparseMatrix<double> *tangent)
+  EffectiveSystem<dim>::factorise(const Factors   &factors,
+                                  const DofMatrix *tangent)
   {
     if (is_factorised_ && !tangent && factors == factors_)
       return;
@@ -225,7 +224,7 @@ namespace Signorini
   void
   EffectiveSystem<dim>::factorise_with_springs()
   {
-    const SparseMatrix<double> &initial = solid_.stiffness();
+    const DofMatrix &initial = solid_.stiffness();
     for (unsigned int i = 0; i < trailing_.size(); ++i)
       add_spring(i, initial.diag_element(trailing_[i]));
     // The softest that will do: the closer to the limit, the faster the
@@ -258,12 +257,12 @@ namespace Signorini
 
   template <int dim>
   typename EffectiveSystem<dim>::Correction
-  EffectiveSystem<dim>::correct(const Vector<double>                 &residual,
+  EffectiveSystem<dim>::correct(const DofVector                      &residual,
                                 const std::vector<ContactPoint<dim>> &points,
                                 const InterfaceForces     &multipliers,
                                 const std::vector<double> &coefficients)
   {
-    Vector<double> reduced_force;
+    InterfaceVector reduced_force;
     {
       const auto timing = timings_.measure(section_substitution_);
       reduced_force     = solver_->condense(residual);
@@ -317,13 +316,13 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
-  EffectiveSystem<dim>::respond(const Vector<double> &force)
+  DofVector
+  EffectiveSystem<dim>::respond(const DofVector &force)
   {
-    const auto     timing   = timings_.measure(section_substitution_);
-    Vector<double> trailing = solver_->condense(force);
+    const auto      timing   = timings_.measure(section_substitution_);
+    InterfaceVector trailing = solver_->condense(force);
     stiffness_.solve_transposed_factor(trailing);
-    Vector<double> motion(force.size());
+    DofVector motion(force.size());
     solver_->expand(trailing, motion);
     solid_.dof_map().constraints().distribute(motion);
     return motion;

@@ -6,7 +6,7 @@ namespace Signorini
   using namespace dealii;
 
   void
-  measure_kinetic_energy(const SparseMatrix<double> &mass, State &state)
+  measure_kinetic_energy(const DofMatrix &mass, State &state)
   {
     state.energy.kinetic = 0.5 * mass.matrix_norm_square(state.velocity);
   }
@@ -16,16 +16,16 @@ namespace Signorini
   template <int dim>
   void
   measure_support_forces(const SolidModel<dim>                &solid,
-                         const SparseMatrix<double>           *mass,
+                         const DofMatrix                      *mass,
                          const ContactModel<dim>              &contact,
                          const std::vector<ContactPoint<dim>> &points,
                          State                                &state)
   {
     if (solid.supports_are_fixed())
       return; // their forces do no work
-    Vector<double> force(state.internal_force);
+    DofVector force(state.internal_force);
     force -= state.external_force;
-    Vector<double> product(force.size());
+    DofVector product(force.size());
     if (mass)
       {
         mass->vmult(product, state.acceleration);
@@ -48,11 +48,11 @@ namespace Signorini
   void
   measure_work(const SolidModel<dim>  &solid,
                const StepContact<dim> &contact,
-               const Vector<double>   &support_force,
+               const DofVector        &support_force,
                const State            &old_state,
                State                  &state)
   {
-    Vector<double> motion(state.displacement);
+    DofVector motion(state.displacement);
     motion -= old_state.displacement;
     EnergyLedger &energy = state.energy;
     energy.loads +=
@@ -65,7 +65,7 @@ namespace Signorini
 
     if (solid.is_damped())
       {
-        Vector<double> velocity(state.velocity), force(motion.size());
+        DofVector velocity(state.velocity), force(motion.size());
         velocity.sadd(0.5, 0.5, old_state.velocity);
         solid.damping().vmult(force, velocity);
         energy.damping += motion * force;
@@ -76,13 +76,13 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                       \
   template void measure_support_forces(const SolidModel<dim> &,                \
-                                       const SparseMatrix<double> *,           \
+                                       const DofMatrix *,                      \
                                        const ContactModel<dim> &,              \
                                        const std::vector<ContactPoint<dim>> &, \
                                        State &);                               \
   template void measure_work(const SolidModel<dim> &,                          \
                              const StepContact<dim> &,                         \
-                             const Vector<double> &,                           \
+                             const DofVector &,                                \
                              const State &,                                    \
                              State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)

@@ -59,12 +59,12 @@ namespace Signorini
   void
   require_finite(const State &state, const SolidModel<dim> &solid)
   {
-    const std::array<std::pair<const char *, const Vector<double> *>, 5>
-      vectors = {{{"the displacement", &state.displacement},
-                  {"the velocity", &state.velocity},
-                  {"the acceleration", &state.acceleration},
-                  {"the internal force", &state.internal_force},
-                  {"the external force", &state.external_force}}};
+    const std::array<std::pair<const char *, const DofVector *>, 5> vectors = {
+      {{"the displacement", &state.displacement},
+       {"the velocity", &state.velocity},
+       {"the acceleration", &state.acceleration},
+       {"the internal force", &state.internal_force},
+       {"the external force", &state.external_force}}};
     for (const auto &[name, vector] : vectors)
       for (unsigned int i = 0; i < vector->size(); ++i)
         if (!std::isfinite((*vector)[i]))

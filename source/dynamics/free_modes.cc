@@ -16,7 +16,7 @@ namespace Signorini
     constexpr double weakest = 1e-11;
 
     SparseRow
-    as_row(const Vector<double> &values)
+    as_row(const InterfaceVector &values)
     {
       SparseRow row;
       for (unsigned int i = 0; i < values.size(); ++i)
@@ -28,8 +28,8 @@ namespace Signorini
 
 
 
-  FreeModes::FreeModes(const std::vector<Vector<double>> &modes,
-                       const std::vector<double>         &stiffnesses)
+  FreeModes::FreeModes(const std::vector<InterfaceVector> &modes,
+                       const std::vector<double>          &stiffnesses)
     : modes_(modes)
   {
     AssertDimension(modes.size(), stiffnesses.size());
@@ -53,7 +53,7 @@ namespace Signorini
 
 
   std::vector<unsigned int>
-  FreeModes::pins(std::vector<Vector<double>> modes, const DofMap &dof_map)
+  FreeModes::pins(std::vector<DofVector> modes, const DofMap &dof_map)
   {
     for (auto &mode : modes)
       for (unsigned int u = 0; u < mode.size(); ++u)
@@ -94,13 +94,13 @@ namespace Signorini
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
           stiffness(i, j) += spring * row.dot(modes_[i]) * row.dot(modes_[j]);
-    Vector<double>     values;
+    InterfaceVector    values;
     FullMatrix<double> vectors;
     stiffness.compute_eigenvalues_symmetric(
       -1., weakest / softness, 1e-14, values, vectors);
     for (unsigned int k = 0; k < values.size(); ++k)
       {
-        Vector<double> direction(modes_.front().size());
+        InterfaceVector direction(modes_.front().size());
         for (unsigned int i = 0; i < n; ++i)
           direction.add(vectors(i, k), duals_[i]);
         result.push_back({as_row(direction), 1.});

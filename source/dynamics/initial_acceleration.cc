@@ -41,9 +41,9 @@ namespace Signorini
     const double factor = 1. / (tau * tau);
     system.factorise({1., factor, 0.});
 
-    Vector<double> force(state.external_force);
+    DofVector force(state.external_force);
     force -= state.internal_force;
-    Vector<double> product(force.size());
+    DofVector product(force.size());
     mass.matrix.vmult(product, state.acceleration); // of given motions
     force -= product;
     if (solid.is_damped())

@@ -3,6 +3,7 @@
 #include <signorini/dynamics/effective_system.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace Signorini
     double
     weakest_held(const double                          weakest,
                  const std::vector<FreeModes::Spring> &held,
-                 const FullMatrix<double>             &stiffness)
+                 const InterfaceMatrix                &stiffness)
     {
       double ratio = 1.;
       for (const auto &[row, spring] : held)
@@ -30,9 +31,9 @@ namespace Signorini
 
     // False if the matrix is not positive definite, or too weak.
     bool
-    set_if_definite(FullMatrix<double> matrix,
-                    const double       weakest,
-                    InterfaceProblem  &problem)
+    set_if_definite(InterfaceMatrix   matrix,
+                    const double      weakest,
+                    InterfaceProblem &problem)
     {
       try
         {
@@ -63,7 +64,7 @@ namespace Signorini
     }
 
     double
-    largest_diagonal(const FullMatrix<double> &matrix)
+    largest_diagonal(const InterfaceMatrix &matrix)
     {
       double largest = 0.;
       for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -74,9 +75,9 @@ namespace Signorini
     // Adds springs that resist any correction, as soft as it may be, and
     // returns theirs.
     double
-    set_with_least_springs(FullMatrix<double> &matrix,
-                           const double        weakest,
-                           InterfaceProblem   &problem)
+    set_with_least_springs(InterfaceMatrix  &matrix,
+                           const double      weakest,
+                           InterfaceProblem &problem)
     {
       const double largest = largest_diagonal(matrix);
       double       spring  = 0.;
@@ -92,7 +93,7 @@ namespace Signorini
 
     // Of the nodes of a contact, one after the other: that of the softest.
     double
-    series_stiffness(const SparseRow &row, const FullMatrix<double> &stiffness)
+    series_stiffness(const SparseRow &row, const InterfaceMatrix &stiffness)
     {
       double compliance = 0.;
       for (const auto &[i, a] : row)
@@ -109,7 +110,7 @@ namespace Signorini
   EffectiveSystem<dim>::solve_interface_problem(
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &multipliers,
-    Vector<double>                       &reduced_force)
+    InterfaceVector                      &reduced_force)
   {
     const bool is_as_factorised =
       !has_geometric_stiffness(points, multipliers.normal) &&
@@ -139,12 +140,12 @@ namespace Signorini
 
 
   template <int dim>
-  FullMatrix<double>
+  InterfaceMatrix
   EffectiveSystem<dim>::interface_stiffness(
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &multipliers) const
   {
-    FullMatrix<double> stiffness = stiffness_.matrix();
+    InterfaceMatrix stiffness = stiffness_.matrix();
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       stiffness(i, i) -= trailing_spring_[i];
     contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
@@ -155,13 +156,13 @@ namespace Signorini
 
   template <int dim>
   InterfaceSolution
-  EffectiveSystem<dim>::solve_with_springs(const FullMatrix<double> &stiffness,
-                                           const Vector<double>     &force,
+  EffectiveSystem<dim>::solve_with_springs(const InterfaceMatrix &stiffness,
+                                           const InterfaceVector &force,
                                            const InterfaceForces &multipliers)
   {
     constexpr unsigned int most_passes = 10;
     InterfaceForces        forces      = multipliers;
-    Vector<double>         centre(force.size());
+    InterfaceVector        centre(force.size());
     double                 last_borne = std::numeric_limits<double>::max();
     for (unsigned int pass = 1;; ++pass)
       {
@@ -179,8 +180,8 @@ namespace Signorini
             rests.push_back(spring.row.dot(centre));
             springs.push_back(std::move(spring));
           }
-        FullMatrix<double> held(stiffness);
-        Vector<double>     held_force(force);
+        InterfaceMatrix held(stiffness);
+        InterfaceVector held_force(force);
         for (unsigned int s = 0; s < springs.size(); ++s)
           {
             const auto &[row, spring] = springs[s];
@@ -197,7 +198,7 @@ namespace Signorini
 
         // 3. Once more, until they bear nothing. Where the stiffness is
         // indefinite, this would lead away from the linearisation.
-        Vector<double> borne(force.size());
+        InterfaceVector borne(force.size());
         for (unsigned int s = 0; s < springs.size(); ++s)
           springs[s].row.add_to(borne,
                                 springs[s].stiffness *
@@ -218,11 +219,10 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::hold_closed_contacts(
-    const InterfaceForces    &forces,
-    const FullMatrix<double> &stiffness,
-    std::vector<Spring>      &springs,
-    std::vector<double>      &rests) const
+  EffectiveSystem<dim>::hold_closed_contacts(const InterfaceForces &forces,
+                                             const InterfaceMatrix &stiffness,
+                                             std::vector<Spring>   &springs,
+                                             std::vector<double>   &rests) const
   {
     const auto hold = [&](const SparseRow &row, const double rest) {
       springs.push_back({row, series_stiffness(row, stiffness)});
@@ -250,7 +250,7 @@ namespace Signorini
   template InterfaceSolution EffectiveSystem<dim>::solve_interface_problem( \
     const std::vector<ContactPoint<dim>> &,                                 \
     const InterfaceForces &,                                                \
-    Vector<double> &);
+    InterfaceVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -11,9 +11,9 @@ namespace Signorini
     // the axis.
     template <int dim>
     Tensor<1, 3>
-    at_node(const Body<dim>      &body,
-            const Node<dim>      &node,
-            const Vector<double> &vector)
+    at_node(const Body<dim> &body,
+            const Node<dim> &node,
+            const DofVector &vector)
     {
       Tensor<1, 3> value;
       for (unsigned int c = 0; c < dim; ++c)
@@ -34,12 +34,12 @@ namespace Signorini
 
   template <int dim>
   std::vector<BodyMotion>
-  body_motions(const SolidModel<dim>      &solid,
-               const SparseMatrix<double> &mass,
-               const State                &state)
+  body_motions(const SolidModel<dim> &solid,
+               const DofMatrix       &mass,
+               const State           &state)
   {
-    Vector<double> place(state.displacement);
-    Vector<double> one(place.size());
+    DofVector place(state.displacement);
+    DofVector one(place.size());
     for (const auto &part : solid.parts())
       for (const auto &node : part.body->nodes())
         for (unsigned int c = 0; c < dim; ++c)
@@ -47,7 +47,7 @@ namespace Signorini
             place[node.dofs[c]] += node.point[c];
             one[node.dofs[c]] = 1.;
           }
-    Vector<double> momentum(place.size()), moment(place.size()),
+    DofVector momentum(place.size()), moment(place.size()),
       weight(place.size());
     mass.vmult(momentum, state.velocity);
     mass.vmult(moment, place);
@@ -77,9 +77,9 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                      \
-  template std::vector<BodyMotion> body_motions(const SolidModel<dim> &,      \
-                                                const SparseMatrix<double> &, \
+#define INSTANTIATE(dim)                                                 \
+  template std::vector<BodyMotion> body_motions(const SolidModel<dim> &, \
+                                                const DofMatrix &,       \
                                                 const State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE

@@ -99,9 +99,9 @@ namespace Signorini
 
 
   template <int dim>
-  RigidMechanism<dim>::RigidMechanism(const ContactModel<dim> &contact,
-                                      const std::vector<Vector<double>> &modes,
-                                      const Vector<double>              &force)
+  RigidMechanism<dim>::RigidMechanism(const ContactModel<dim>      &contact,
+                                      const std::vector<DofVector> &modes,
+                                      const DofVector              &force)
     : contact_(contact)
     , modes_(modes)
   {
@@ -170,10 +170,10 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
+  DofVector
   RigidMechanism<dim>::motion(const std::vector<double> &shares) const
   {
-    Vector<double> result(modes_.front().size());
+    DofVector result(modes_.front().size());
     for (unsigned int i = 0; i < modes_.size(); ++i)
       result.add(shares[i], modes_[i]);
     return result;
@@ -195,8 +195,7 @@ namespace Signorini
 
   template <int dim>
   typename RigidMechanism<dim>::Approach
-  RigidMechanism<dim>::approach(const Vector<double> &start,
-                                const double          time) const
+  RigidMechanism<dim>::approach(const DofVector &start, const double time) const
   {
     constexpr unsigned int most_moves = 200; // then it is too slow to tell
     const double           size       = size_of_contactors(contact_);
@@ -209,7 +208,7 @@ namespace Signorini
     result.way.reinit(start.size());
     for (unsigned int move = 0; move < most_moves; ++move)
       {
-        Vector<double> displacement(start);
+        DofVector displacement(start);
         displacement += result.way;
         const auto points = contact_.evaluate({displacement, time});
 

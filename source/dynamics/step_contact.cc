@@ -34,7 +34,7 @@ namespace Signorini
   double
   StepContact<dim>::work() const
   {
-    Vector<double> force(motion_.size());
+    DofVector force(motion_.size());
     if (old_share_ != 0.)
       contact_.add_contact_forces(old_points_,
                                   old_state_.contact_forces,

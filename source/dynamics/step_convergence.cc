@@ -2,6 +2,7 @@
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/as_text.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +51,10 @@ namespace Signorini
     }
 
     void
-    add_absolute_product(const SparseMatrix<double> &matrix,
-                         const Vector<double>       &values,
-                         const double                factor,
-                         Vector<double>             &result)
+    add_absolute_product(const DofMatrix &matrix,
+                         const DofVector &values,
+                         const double     factor,
+                         DofVector       &result)
     {
       for (unsigned int i = 0; i < result.size(); ++i)
         for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
@@ -66,8 +67,8 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::measure_balance(const double   step_size,
-                                 Vector<double> residual,
+  TimeStep<dim>::measure_balance(const double step_size,
+                                 DofVector    residual,
                                  const std::vector<ContactPoint<dim>> &points,
                                  const InterfaceForces &multipliers,
                                  State                 &state)
@@ -88,8 +89,8 @@ namespace Signorini
     if (state.n_iterations > 0 && std::isfinite(largest) &&
         largest > settings_.time.residual_tolerance * scale)
       {
-        const Vector<double> rounding = force_rounding(step_size);
-        largest                       = 0.;
+        const DofVector rounding = force_rounding(step_size);
+        largest                  = 0.;
         for (unsigned int i = 0; i < residual.size(); ++i)
           if (!solid_.dof_map().is_constrained(i) && residual[i] != 0.)
             {
@@ -110,10 +111,10 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
+  DofVector
   TimeStep<dim>::force_rounding(const double step_size) const
   {
-    Vector<double> rounding = solid_.force_rounding(largest_displacement_);
+    DofVector rounding = solid_.force_rounding(largest_displacement_);
     if (!settings_.time.dynamic)
       return rounding;
     // Accelerations are differences of displacements, over the square of time.
@@ -294,7 +295,7 @@ namespace Signorini
   {
     if (settings_.time.dynamic)
       return;
-    Vector<double> motion(state.displacement);
+    DofVector motion(state.displacement);
     motion -= old_state.displacement;
     if (!(motion.linfty_norm() > largest_motion * extent_))
       return;
@@ -338,18 +339,18 @@ namespace Signorini
                                                  const State &) const;                                    \
   template void TimeStep<dim>::measure_balance(                                                           \
     const double,                                                                                         \
-    Vector<double>,                                                                                       \
+    DofVector,                                                                                            \
     const std::vector<ContactPoint<dim>> &,                                                               \
     const InterfaceForces &,                                                                              \
     State &);                                                                                             \
-  template Vector<double> TimeStep<dim>::force_rounding(const double) const;                              \
-  template double         TimeStep<dim>::force_scale(const State &,                                       \
-                                             const InterfaceForces &) const;                      \
-  template double         TimeStep<dim>::relative_force_change(                                           \
-    const double,                                                                                 \
-    const State &,                                                                                \
-    const InterfaceForces &,                                                                      \
-    const InterfaceForces &) const;                                                               \
+  template DofVector TimeStep<dim>::force_rounding(const double) const;                                   \
+  template double    TimeStep<dim>::force_scale(const State &,                                            \
+                                             const InterfaceForces &) const;                           \
+  template double    TimeStep<dim>::relative_force_change(                                                \
+    const double,                                                                                      \
+    const State &,                                                                                     \
+    const InterfaceForces &,                                                                           \
+    const InterfaceForces &) const;                                                                    \
   template bool TimeStep<dim>::is_balanced(const State &) const;                                          \
   template std::optional<TimeStep<dim>::UnmetCriterion>                                                   \
   TimeStep<dim>::unmet_criterion(const State &,                                                           \

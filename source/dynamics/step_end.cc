@@ -6,6 +6,7 @@
 #include <signorini/dynamics/step_contact.h>
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ namespace Signorini
   void
   TimeStep<dim>::finish(const State                          &old_state,
                         const double                          step_size,
-                        const Vector<double>                 &residual,
+                        const DofVector                      &residual,
                         const std::vector<ContactPoint<dim>> &points,
                         const std::vector<ContactPoint<dim>> &acting,
                         const Iterate                        &iterate,
@@ -98,19 +99,19 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
+  DofVector
   TimeStep<dim>::mean_support_force(
     const State                          &old_state,
-    const Vector<double>                 &residual,
+    const DofVector                      &residual,
     const std::vector<ContactPoint<dim>> &points,
     const State                          &state) const
   {
-    Vector<double> mean(state.support_force);
+    DofVector mean(state.support_force);
     mean.sadd(0.5, 0.5, old_state.support_force);
     if (!conserves_energy_ || solid_.supports_are_fixed())
       return mean;
     // What the balance of the step lacks.
-    Vector<double> lacking(residual);
+    DofVector lacking(residual);
     contact_.add_contact_forces(points, state.contact_forces, 1., lacking);
     for (unsigned int i = 0; i < mean.size(); ++i)
       mean[i] = solid_.dof_map().is_constrained(i) ? -lacking[i] : 0.;
@@ -140,7 +141,7 @@ namespace Signorini
   {
     if (solid_.mass().empty())
       return;
-    const SparseMatrix<double> &mass = inertia_.mass(state).matrix;
+    const DofMatrix &mass = inertia_.mass(state).matrix;
     measure_kinetic_energy(mass, state);
     state.motions = body_motions(solid_, mass, state);
   }
@@ -150,7 +151,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                                                      \
   template void TimeStep<dim>::finish(const State &,                          \
                                       const double,                           \
-                                      const Vector<double> &,                 \
+                                      const DofVector &,                      \
                                       const std::vector<ContactPoint<dim>> &, \
                                       const std::vector<ContactPoint<dim>> &, \
                                       const Iterate &,                        \

@@ -2,6 +2,7 @@
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ namespace Signorini
                                const double step_size,
                                State       &state)
   {
-    Vector<double> motion(state.displacement);
+    DofVector motion(state.displacement);
     solid_.apply_supports(state.time, state.displacement);
     if (solid_.is_linear())
       {
@@ -95,7 +96,7 @@ namespace Signorini
     // The forces of this motion to first order: the first correction then
     // spreads it over the bodies, instead of crushing the outer cells.
     motion -= state.displacement;
-    Vector<double> force(motion.size());
+    DofVector force(motion.size());
     tangent_.vmult(force, motion);
     state.internal_force -= force;
     if (conserves_energy_)
@@ -173,11 +174,11 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
+  DofVector
   TimeStep<dim>::residual(const State &old_state, const State &state)
   {
-    const auto     timing = timings_.measure(section_residual_);
-    Vector<double> force(state.external_force);
+    const auto timing = timings_.measure(section_residual_);
+    DofVector  force(state.external_force);
     force -= state.internal_force;
     if (!settings_.time.dynamic)
       return force;
@@ -193,17 +194,17 @@ namespace Signorini
       }
     else if (scheme_.bodies.alpha_H != 0.)
       {
-        Vector<double> history(old_state.external_force);
+        DofVector history(old_state.external_force);
         history -= old_state.internal_force;
         inertia_.mass(state).redistribution.clear_massless(history);
         force.add(scheme_.bodies.alpha_H, history);
       }
 
-    Vector<double> weighted(state.acceleration);
+    DofVector weighted(state.acceleration);
     weighted.sadd(1. - scheme_.bodies.alpha_B,
                   scheme_.bodies.alpha_B,
                   old_state.acceleration);
-    Vector<double> product(force.size());
+    DofVector product(force.size());
     inertia_.mass(state).matrix.vmult(product, weighted);
     force -= product;
     if (solid_.is_damped())
@@ -249,9 +250,9 @@ namespace Signorini
 
   template <int dim>
   void
-  TimeStep<dim>::set_rigid_residual(const State    &old_state,
-                                    const State    &state,
-                                    Vector<double> &residual) const
+  TimeStep<dim>::set_rigid_residual(const State &old_state,
+                                    const State &state,
+                                    DofVector   &residual) const
   {
     const double alpha_B = scheme_.rigid_bodies.alpha_B;
     const double alpha_H = scheme_.rigid_bodies.alpha_H;
@@ -286,8 +287,8 @@ namespace Signorini
                                                   State &) const;             \
   template void TimeStep<dim>::set_rigid_residual(const State &,              \
                                                   const State &,              \
-                                                  Vector<double> &) const;    \
-  template Vector<double> TimeStep<dim>::residual(const State &, const State &);
+                                                  DofVector &) const;         \
+  template DofVector TimeStep<dim>::residual(const State &, const State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

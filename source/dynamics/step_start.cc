@@ -3,6 +3,7 @@
 #include <signorini/dynamics/rigid_mechanism.h>
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <algorithm>
 
@@ -36,10 +37,10 @@ namespace Signorini
   InterfaceForces
   TimeStep<dim>::approach_contact(const double time, State &start)
   {
-    const auto     timing = timings_.measure(section_contact_);
-    Vector<double> displacement(start.displacement);
+    const auto timing = timings_.measure(section_contact_);
+    DofVector  displacement(start.displacement);
     solid_.apply_supports(time, displacement);
-    std::vector<Vector<double>> modes;
+    std::vector<DofVector> modes;
     for (auto &mode : solid_.free_modes(displacement))
       modes.push_back(std::move(mode.motion));
     const RigidMechanism<dim> mechanism(
@@ -151,9 +152,9 @@ namespace Signorini
     InterfaceForces                                 &forces,
     State                                           &state)
   {
-    constexpr double     smallest = 1. / 64.;
-    const Vector<double> start(state.displacement);
-    double               share = first_share();
+    constexpr double smallest = 1. / 64.;
+    const DofVector  start(state.displacement);
+    double           share = first_share();
     while (true)
       try
         {

@@ -50,7 +50,7 @@ namespace Signorini
     }
 
     double
-    largest_diagonal(const SparseMatrix<double> &matrix)
+    largest_diagonal(const DofMatrix &matrix)
     {
       double largest = 0.;
       for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -95,7 +95,7 @@ namespace Signorini
     , largest_stiffness_(largest_diagonal(solid.stiffness()))
     , extent_(extent(solid))
     , has_free_modes_(!settings.time.dynamic &&
-                      !solid.free_modes(Vector<double>(solid.n_dofs())).empty())
+                      !solid.free_modes(DofVector(solid.n_dofs())).empty())
     , approach_(0.)
     , failed_step_(0)
     , lacks_mass_(false)
@@ -109,8 +109,8 @@ namespace Signorini
 
   template <int dim>
   State
-  TimeStep<dim>::initial_state(const Vector<double>      &displacement,
-                               const Vector<double>      &velocity,
+  TimeStep<dim>::initial_state(const DofVector           &displacement,
+                               const DofVector           &velocity,
                                const std::vector<double> &history)
   {
     State state;
@@ -234,8 +234,8 @@ namespace Signorini
           if (auto nodes = inertia_.approaching(points, old_state, step.size);
               !nodes.empty())
             return nodes;
-        const auto     acting = acting_contacts(points, old_state, state);
-        Vector<double> force  = residual(old_state, state);
+        const auto acting = acting_contacts(points, old_state, state);
+        DofVector  force  = residual(old_state, state);
         if (!acting.empty())
           {
             contact_.add_contact_forces(acting, iterate.multipliers, 1., force);
@@ -275,7 +275,7 @@ namespace Signorini
   typename TimeStep<dim>::Iterate
   TimeStep<dim>::improve(const State                          &old_state,
                          const double                          step_size,
-                         const Vector<double>                 &residual,
+                         const DofVector                      &residual,
                          const std::vector<ContactPoint<dim>> &points,
                          const Iterate                        &iterate,
                          State                                &state)
@@ -337,8 +337,8 @@ namespace Signorini
   {
     if (!conserves_energy_ || contact_.is_flat())
       return {};
-    const auto     timing = timings_.measure(section_contact_);
-    Vector<double> middle(state.displacement);
+    const auto timing = timings_.measure(section_contact_);
+    DofVector  middle(state.displacement);
     middle.sadd(0.5, 0.5, old_state.displacement);
     auto acting =
       contact_.evaluate({middle, 0.5 * (old_state.time + state.time)},

@@ -34,7 +34,7 @@ namespace Signorini
       std::vector<FreeMotion> motions;
       for (const auto &part : solid.parts())
         for (auto &mode : free_rigid_modes(*part.body,
-                                           Vector<double>(solid.n_dofs()),
+                                           DofVector(solid.n_dofs()),
                                            solid.dof_map(),
                                            part.supports.sliding_nodes()))
           {
@@ -80,7 +80,7 @@ namespace Signorini
     bool
     is_driven(const SolidModel<dim>                              &solid,
               const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
-              const Vector<double>                               &displacement,
+              const DofVector                                    &displacement,
               const double                                        time)
     {
       const auto moves = [&](const RigidBody<dim> &body) {
@@ -89,7 +89,7 @@ namespace Signorini
         return (start.translation - end.translation).norm() > 0. ||
                (start.rotation - end.rotation).norm() > 0.;
       };
-      Vector<double> given(displacement), later(displacement);
+      DofVector given(displacement), later(displacement);
       solid.apply_supports(0., given);
       solid.apply_supports(time, later);
       return later != given ||
@@ -107,7 +107,7 @@ namespace Signorini
     const SolidModel<dim>                              &solid,
     const ContactModel<dim>                            &contact,
     const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
-    const Vector<double>                               &displacement,
+    const DofVector                                    &displacement,
     const double                                        time)
   {
     const auto motions = free_motions(solid, contact, rigid_bodies);
@@ -117,13 +117,11 @@ namespace Signorini
       if (!motion.is_in_a_pair)
         refuse(motion, "");
 
-    std::vector<Vector<double>> modes;
+    std::vector<DofVector> modes;
     for (const auto &motion : motions)
       modes.push_back(motion.mode.motion);
     const RigidMechanism<dim> mechanism(
-      contact,
-      modes,
-      solid.external_force(time, Vector<double>(solid.n_dofs())));
+      contact, modes, solid.external_force(time, DofVector(solid.n_dofs())));
     auto free = mechanism.find_unbalanced(contact.evaluate({displacement, 0.}));
     if (!free && !is_driven(solid, rigid_bodies, displacement, time))
       free = mechanism.approach(displacement, 0.).endless;
@@ -140,7 +138,7 @@ namespace Signorini
     const SolidModel<dim> &,                              \
     const ContactModel<dim> &,                            \
     const std::vector<std::unique_ptr<RigidBody<dim>>> &, \
-    const Vector<double> &,                               \
+    const DofVector &,                                    \
     const double);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE

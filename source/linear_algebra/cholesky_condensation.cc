@@ -17,7 +17,7 @@ namespace Signorini
 
 
   void
-  CholeskyCondensation::factorise(const SparseMatrix<double> &matrix)
+  CholeskyCondensation::factorise(const DofMatrix &matrix)
   {
     cholesky_.factorise(matrix);
     trailing_ =
@@ -35,25 +35,25 @@ namespace Signorini
 
 
 
-  Vector<double>
-  CholeskyCondensation::condense(const Vector<double> &residual)
+  InterfaceVector
+  CholeskyCondensation::condense(const DofVector &residual)
   {
     const auto &order = cholesky_.order();
     for (unsigned int i = 0; i < order.size(); ++i)
       half_solution_[i] = residual[order[i]];
     cholesky_.forward_substitution(half_solution_);
 
-    return Vector<double>(half_solution_.end() - n_interface_,
-                          half_solution_.end());
+    return InterfaceVector(half_solution_.end() - n_interface_,
+                           half_solution_.end());
   }
 
 
 
   void
-  CholeskyCondensation::expand(const Vector<double> &interface_displacement,
-                               Vector<double>       &displacement)
+  CholeskyCondensation::expand(const InterfaceVector &interface_displacement,
+                               DofVector             &displacement)
   {
-    Vector<double> trailing(interface_displacement);
+    InterfaceVector trailing(interface_displacement);
     trailing_.multiply_transposed_factor(trailing);
     std::copy(trailing.begin(),
               trailing.end(),

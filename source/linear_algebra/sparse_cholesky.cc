@@ -179,7 +179,7 @@ namespace Signorini
     }
 
     cholmod_dense
-    view(Vector<double> &x) const
+    view(DofVector &x) const
     {
       cholmod_dense dense = {};
       dense.nrow          = x.size();
@@ -251,7 +251,7 @@ namespace Signorini
 
 
   void
-  SparseCholesky::factorise(const SparseMatrix<double> &matrix)
+  SparseCholesky::factorise(const DofMatrix &matrix)
   {
     auto &my = *implementation_;
     Assert(&matrix.get_sparsity_pattern() == my.pattern,
@@ -294,7 +294,7 @@ namespace Signorini
 
 
   void
-  SparseCholesky::forward_substitution(Vector<double> &x) const
+  SparseCholesky::forward_substitution(DofVector &x) const
   {
     auto &my = *implementation_;
     AssertDimension(x.size(), my.order.size());
@@ -308,7 +308,7 @@ namespace Signorini
 
 
   void
-  SparseCholesky::backward_substitution(Vector<double> &x) const
+  SparseCholesky::backward_substitution(DofVector &x) const
   {
     auto &my = *implementation_;
     AssertDimension(x.size(), my.order.size());
@@ -322,10 +322,10 @@ namespace Signorini
 
 
   void
-  SparseCholesky::solve(Vector<double> &x, const Vector<double> &b) const
+  SparseCholesky::solve(DofVector &x, const DofVector &b) const
   {
-    const auto    &order = implementation_->order;
-    Vector<double> y(order.size());
+    const auto &order = implementation_->order;
+    DofVector   y(order.size());
     for (unsigned int i = 0; i < order.size(); ++i)
       y[i] = b[order[i]];
     forward_substitution(y);

@@ -51,9 +51,9 @@ namespace Signorini
 
     template <int dim, typename Cell>
     BoundingBox<dim>
-    deformed_box(const Body<dim>      &body,
-                 const Cell           &cell,
-                 const Vector<double> &displacement)
+    deformed_box(const Body<dim> &body,
+                 const Cell      &cell,
+                 const DofVector &displacement)
     {
       std::vector<Point<dim>> vertices;
       for (const unsigned int v : cell->vertex_indices())

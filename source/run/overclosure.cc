@@ -50,7 +50,7 @@ namespace Signorini
   template <int dim>
   void
   treat_overclosure(const std::vector<PairParameters> &parameters,
-                    const Vector<double>              &displacement,
+                    const DofVector                   &displacement,
                     ContactModel<dim>                 &contact)
   {
     const auto points = contact.evaluate({displacement, 0.});
@@ -88,7 +88,7 @@ namespace Signorini
   template <int dim>
   std::string
   describe_pairs(const ContactModel<dim> &contact,
-                 const Vector<double>    &displacement)
+                 const DofVector         &displacement)
   {
     std::ostringstream text;
     const auto         points = contact.evaluate({displacement, 0.});
@@ -134,10 +134,10 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                                      \
   template void        treat_overclosure(const std::vector<PairParameters> &, \
-                                         const Vector<double> &,              \
+                                         const DofVector &,                   \
                                          ContactModel<dim> &);                \
   template std::string describe_pairs(const ContactModel<dim> &,              \
-                                      const Vector<double> &);
+                                      const DofVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -88,7 +88,7 @@ namespace Signorini
                            contactor_surface(body, name.substr(dot + 1))};
       }
     // With the supports in their place.
-    Vector<double> start(problem.initial_displacement);
+    DofVector start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
     const Configuration configuration = {start, 0.};
     const auto          found         = find(configuration, {}, allowed_);

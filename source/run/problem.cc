@@ -96,7 +96,7 @@ namespace Signorini
                        const std::string      &entry,
                        const Constants        &constants,
                        const ParameterHandler &prm,
-                       Vector<double>         &vector)
+                       DofVector              &vector)
     {
       if (prm.get(entry).empty())
         return;
@@ -175,16 +175,14 @@ namespace Signorini
     // found before anything is computed. A large problem gets fewer samples.
     template <int dim>
     void
-    try_formulas(const Problem<dim>   &problem,
-                 const Vector<double> &displacement)
+    try_formulas(const Problem<dim> &problem, const DofVector &displacement)
     {
       const TimeParameters  &time  = problem.time;
       const SolidModel<dim> &solid = *problem.solid;
       const double n_steps         = std::ceil(time.end_time / time.step_size);
       const double n_samples =
         std::min(n_steps, std::max(1., std::min(50., 2e5 / solid.n_dofs())));
-      Vector<double> motion(solid.n_dofs()), velocity(motion),
-        acceleration(motion);
+      DofVector motion(solid.n_dofs()), velocity(motion), acceleration(motion);
       for (unsigned int i = 0; i <= n_samples; ++i)
         {
           const double sample =
@@ -362,7 +360,7 @@ namespace Signorini
     problem.contact = create_contact_model(problem.contact_parameters,
                                            *problem.solid,
                                            problem.rigid_bodies);
-    Vector<double> start(problem.initial_displacement);
+    DofVector start(problem.initial_displacement);
     problem.solid->apply_supports(0., start);
     try_formulas(problem, start);
     treat_overclosure(problem.contact_parameters.of_pairs,

@@ -34,14 +34,14 @@ namespace Signorini
     const std::string              fringe_order       = "fringe_order";
 
     // (sigma_1 - sigma_2)/f of the stresses in the x-y plane.
-    Vector<double>
-    fringe_orders(const std::map<std::string, Vector<double>> &stresses,
-                  const double                                 fringe_value)
+    DofVector
+    fringe_orders(const std::map<std::string, DofVector> &stresses,
+                  const double                            fringe_value)
     {
-      const Vector<double> &xx = stresses.at("stress_xx");
-      const Vector<double> &yy = stresses.at("stress_yy");
-      const Vector<double> &xy = stresses.at("stress_xy");
-      Vector<double>        result(xx.size());
+      const DofVector &xx = stresses.at("stress_xx");
+      const DofVector &yy = stresses.at("stress_yy");
+      const DofVector &xy = stresses.at("stress_xy");
+      DofVector        result(xx.size());
       for (unsigned int n = 0; n < result.size(); ++n)
         result[n] = std::hypot(xx[n] - yy[n], 2. * xy[n]) / fringe_value;
       return result;
@@ -101,7 +101,7 @@ namespace Signorini
 
 
   template <int dim>
-  std::map<std::string, Vector<double>>
+  std::map<std::string, DofVector>
   ResultFields<dim>::stresses(const unsigned int body) const
   {
     auto result = stresses_[body]->fields(
@@ -186,7 +186,7 @@ namespace Signorini
         const unsigned int component =
           parse_component<dim>(quantity.substr(underscore + 1),
                                "Expected results");
-        const Vector<double> &values =
+        const DofVector &values =
           vector == "velocity" ? state_->velocity : state_->displacement;
         for (const auto &node :
              boundary.empty() ? body.nodes() : body.boundary_nodes(boundary))
@@ -196,8 +196,8 @@ namespace Signorini
           }
         return result;
       }
-    const Vector<double> values = stresses(b).at(quantity);
-    const auto           points = stresses_[b]->points();
+    const DofVector values = stresses(b).at(quantity);
+    const auto      points = stresses_[b]->points();
     for (const unsigned int n : boundary.empty() ?
                                   complete_index_set(values.size()) :
                                   stresses_[b]->boundary_nodes(boundary))
@@ -301,9 +301,9 @@ namespace Signorini
   {
     // The writer takes views; what they look at is kept here meanwhile.
     const auto &parts = problem_.solid->parts();
-    std::vector<std::map<std::string, Vector<double>>> all_stresses;
-    std::vector<Vector<double>>                        displacements;
-    std::vector<Vector<double>>                        velocities;
+    std::vector<std::map<std::string, DofVector>> all_stresses;
+    std::vector<DofVector>                        displacements;
+    std::vector<DofVector>                        velocities;
     for (unsigned int b = 0; b < parts.size(); ++b)
       {
         all_stresses.push_back(stresses(b));
@@ -343,7 +343,7 @@ namespace Signorini
   ResultFields<dim>::write(DisplacementWriter<dim> &displacements) const
   {
     const auto                        &parts = problem_.solid->parts();
-    std::vector<Vector<double>>        values;
+    std::vector<DofVector>             values;
     std::vector<BodyDisplacement<dim>> bodies;
     for (const auto &part : parts)
       values.push_back(part.body->extract(state_->displacement));

@@ -396,9 +396,9 @@ namespace Signorini
   double
   Simulation<dim>::energy_rounding() const
   {
-    const Vector<double> &displacement = record_.state.displacement;
-    const Vector<double>  force = problem_.solid->force_rounding(displacement);
-    double                rounding = 0.;
+    const DofVector &displacement = record_.state.displacement;
+    const DofVector  force    = problem_.solid->force_rounding(displacement);
+    double           rounding = 0.;
     for (unsigned int i = 0; i < force.size(); ++i)
       rounding += std::abs(force[i] * displacement[i]);
     return rounding;

@@ -37,8 +37,7 @@ namespace Signorini
 
   template <int dim>
   std::string
-  SmallStrainWatch<dim>::look(const Vector<double> &displacement,
-                              const double          time)
+  SmallStrainWatch<dim>::look(const DofVector &displacement, const double time)
   {
     for (unsigned int b = 0; b < ranges_.size(); ++b)
       {

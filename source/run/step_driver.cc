@@ -79,11 +79,10 @@ namespace Signorini
     auto still         = settings(problem_);
     still.time.dynamic = false;
     TimeStep<dim> step(*problem_.solid, *problem_.contact, still, timings_);
-    const State   given =
-      step.initial_state(problem_.initial_displacement,
-                         Vector<double>(problem_.solid->n_dofs()),
-                         problem_.solid->initial_history());
-    const double size = problem_.time.step_control.initial_size;
+    const State   given = step.initial_state(problem_.initial_displacement,
+                                           DofVector(problem_.solid->n_dofs()),
+                                           problem_.solid->initial_history());
+    const double  size  = problem_.time.step_control.initial_size;
     try
       {
         return step.advance(given, {0, -size, size});
@@ -263,9 +262,9 @@ namespace Signorini
     const double tolerance = problem_.time.step_control.error_tolerance;
     if (!problem_.time.step_control.automatic || tolerance == 0.)
       return 0.;
-    Vector<double> change(state.acceleration);
+    DofVector change(state.acceleration);
     change -= old_state.acceleration;
-    const SparseMatrix<double> &mass = problem_.solid->mass();
+    const DofMatrix &mass = problem_.solid->mass();
     return relative_step_error(problem_.time.scheme,
                                step_size,
                                std::sqrt(mass.matrix_norm_square(change)),

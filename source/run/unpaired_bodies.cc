@@ -32,7 +32,7 @@ namespace Signorini
     template <int dim>
     std::pair<double, Point<dim>>
     deepest(const Body<dim>           &body,
-            const Vector<double>      &displacement,
+            const DofVector           &displacement,
             const OccupiedRegion<dim> &region)
     {
       std::pair<double, Point<dim>> result(0., Point<dim>());
@@ -48,8 +48,7 @@ namespace Signorini
 
   template <int dim>
   std::string
-  unpaired_overlaps(const Problem<dim>   &problem,
-                    const Vector<double> &displacement)
+  unpaired_overlaps(const Problem<dim> &problem, const DofVector &displacement)
   {
     const auto        &parts = problem.solid->parts();
     std::ostringstream text;
@@ -82,7 +81,7 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                       \
   template std::string unpaired_overlaps(const Problem<dim> &, \
-                                         const Vector<double> &);
+                                         const DofVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -1,6 +1,7 @@
 #include "absorbing_boundary.h"
 
 #include <signorini/input/instantiate.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -80,7 +81,7 @@ namespace Signorini
   add_absorbing_boundaries(const Body<dim>                    &body,
                            const std::set<types::boundary_id> &boundaries,
                            const AffineConstraints<double>    &constraints,
-                           SparseMatrix<double>               &damping)
+                           DofMatrix                          &damping)
   {
     FEFaceValues<dim>  values(body.mapping(),
                              body.scalar_fe(),
@@ -118,7 +119,7 @@ namespace Signorini
     const Body<dim> &,                         \
     const std::set<types::boundary_id> &,      \
     const AffineConstraints<double> &,         \
-    SparseMatrix<double> &);
+    DofMatrix &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

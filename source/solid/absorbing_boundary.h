@@ -1,10 +1,10 @@
 #ifndef signorini_solid_absorbing_boundary_h
 #define signorini_solid_absorbing_boundary_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <set>
 
@@ -23,7 +23,7 @@ namespace Signorini
     const Body<dim>                            &body,
     const std::set<dealii::types::boundary_id> &boundaries,
     const dealii::AffineConstraints<double>    &constraints,
-    dealii::SparseMatrix<double>               &damping);
+    DofMatrix                                  &damping);
 } // namespace Signorini
 
 #endif

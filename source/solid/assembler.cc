@@ -111,8 +111,7 @@ namespace Signorini
       }
 
       void
-      get_values(const Vector<double> &of_all,
-                 std::vector<double>  &of_cell) const
+      get_values(const DofVector &of_all, std::vector<double> &of_cell) const
       {
         for (unsigned int i = 0; i < of_cell.size(); ++i)
           of_cell[i] = of_all[this->dofs.all()[i]];
@@ -136,8 +135,8 @@ namespace Signorini
       {}
 
       FullMatrix<double>                   stiffness;
-      Vector<double>                       force;
-      Vector<double>                       mean_force;
+      DofVector                            force;
+      DofVector                            mean_force;
       std::vector<types::global_dof_index> dofs;
       double                               stored_energy = 0.;
       double                               plastic_work  = 0.;
@@ -186,7 +185,7 @@ namespace Signorini
                  const ArrayView<const double>    history_n,
                  const ArrayView<double>          history,
                  SolidResponse                   &response,
-                 SparseMatrix<double>            *stiffness,
+                 DofMatrix                       *stiffness,
                  const double                     factor)
     {
       using Scratch        = ResponseScratch<dim, n_strains>;
@@ -257,7 +256,7 @@ namespace Signorini
     template <int dim, int n_strains>
     PointValues
     point_values(const Body<dim>              &body,
-                 const Vector<double>         &displacement,
+                 const DofVector              &displacement,
                  const ArrayView<const double> history)
     {
       // So fast that no law that depends on the rate flows meanwhile.
@@ -348,7 +347,7 @@ namespace Signorini
                const ArrayView<const double>    history_n,
                const ArrayView<double>          history,
                SolidResponse                   &response,
-               SparseMatrix<double>            *stiffness,
+               DofMatrix                       *stiffness,
                const double                     factor)
   {
     const auto add = [&](const auto function) {
@@ -374,7 +373,7 @@ namespace Signorini
   template <int dim>
   PointValues
   point_values(const Body<dim>              &body,
-               const Vector<double>         &displacement,
+               const DofVector              &displacement,
                const ArrayView<const double> history)
   {
     if constexpr (dim == 3)
@@ -393,7 +392,7 @@ namespace Signorini
            const AffineConstraints<double> &constraints,
            const bool                       lump,
            const double                     factor,
-           SparseMatrix<double>            &mass)
+           DofMatrix                       &mass)
   {
     WorkStream::run(
       body.dof_handler().begin_active(),
@@ -427,16 +426,16 @@ namespace Signorini
                                   const ArrayView<const double>,     \
                                   const ArrayView<double>,           \
                                   SolidResponse &,                   \
-                                  SparseMatrix<double> *,            \
+                                  DofMatrix *,                       \
                                   const double);                     \
   template PointValues  point_values<dim>(const Body<dim> &,                 \
-                                         const Vector<double> &,            \
+                                         const DofVector &,                 \
                                          const ArrayView<const double>);    \
   template void         add_mass<dim>(const Body<dim> &,                     \
                               const AffineConstraints<double> &,     \
                               const bool,                            \
                               const double,                          \
-                              SparseMatrix<double> &);
+                              DofMatrix &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -321,11 +321,11 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
-  Body<dim>::extract(const Vector<double> &global) const
+  DofVector
+  Body<dim>::extract(const DofVector &global) const
   {
-    return Vector<double>(global.begin() + first_dof_,
-                          global.begin() + first_dof_ + n_dofs());
+    return DofVector(global.begin() + first_dof_,
+                     global.begin() + first_dof_ + n_dofs());
   }
 
 

@@ -1,10 +1,10 @@
 #ifndef signorini_solid_cell_dofs_h
 #define signorini_solid_cell_dofs_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/base/tensor.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -42,7 +42,7 @@ namespace Signorini
 
     /** The components at node @p a of the cell. */
     dealii::Tensor<1, dim>
-    at_node(const unsigned int a, const dealii::Vector<double> &values) const
+    at_node(const unsigned int a, const DofVector &values) const
     {
       dealii::Tensor<1, dim> result;
       for (unsigned int c = 0; c < dim; ++c)
@@ -54,7 +54,7 @@ namespace Signorini
     void
     add(const unsigned int            a,
         const dealii::Tensor<1, dim> &force,
-        dealii::Vector<double>       &forces) const
+        DofVector                    &forces) const
     {
       for (unsigned int c = 0; c < dim; ++c)
         forces[dofs_[a * dim + c]] += force[c];

@@ -1,8 +1,9 @@
 #ifndef signorini_solid_condensed_diagonal_h
 #define signorini_solid_condensed_diagonal_h
 
+#include <signorini/linear_algebra/types.h>
+
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 namespace Signorini
 {
@@ -10,7 +11,7 @@ namespace Signorini
    * never solved for, and the number would count in U.K U. */
   inline void
   clear_condensed_diagonal(const dealii::AffineConstraints<double> &constraints,
-                           dealii::SparseMatrix<double>            &matrix)
+                           DofMatrix                               &matrix)
   {
     for (const auto &line : constraints.get_lines())
       matrix.set(line.index, line.index, 0.);

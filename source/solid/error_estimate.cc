@@ -31,7 +31,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<double>
-  estimated_errors(const Body<dim> &body, const Vector<double> &displacement)
+  estimated_errors(const Body<dim> &body, const DofVector &displacement)
   {
     Vector<float> norms(body.mesh().triangulation->n_active_cells());
     KellyErrorEstimator<dim>::estimate(body.mapping(),
@@ -58,7 +58,7 @@ namespace Signorini
 
 #define INSTANTIATE(dim)                                           \
   template std::vector<double> estimated_errors(const Body<dim> &, \
-                                                const Vector<double> &);
+                                                const DofVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // The part of SolidModel that assembles mass and damping.
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/mass_moments.h>
 #include <signorini/solid/solid_model.h>
 
@@ -30,7 +31,7 @@ namespace Signorini
   void
   SolidModel<dim>::assemble_inertia(const Inertia &inertia)
   {
-    SparseMatrix<double> damping(sparsity_);
+    DofMatrix damping(sparsity_);
     mass_.reinit(sparsity_);
     for (const auto &part : parts_)
       {
@@ -89,7 +90,7 @@ namespace Signorini
     result->matrix.copy_from(mass_);
     result->redistribution.move_mass(result->matrix);
     // What supports hold has no momentum of its own.
-    const Vector<double> at_start(n_dofs());
+    const DofVector at_start(n_dofs());
     for (const auto &part : parts_)
       if (!free_rigid_modes(
              *part.body, at_start, dof_map_, part.supports.sliding_nodes())

@@ -32,7 +32,7 @@ namespace Signorini
                   const FEFaceValues<dim> &values,
                   const unsigned int       q,
                   const CellDofs<dim>     &dofs,
-                  const Vector<double>    &displacement)
+                  const DofVector         &displacement)
     {
       Tensor<2, dim> F;
       for (unsigned int i = 0; i < dim; ++i)
@@ -303,7 +303,7 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_forces(const double time, Vector<double> &forces) const
+  Loads<dim>::add_forces(const double time, DofVector &forces) const
   {
     add_volume_forces(time, nullptr, forces);
     add_boundary_forces(time, nullptr, forces);
@@ -316,9 +316,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_following_forces(const double          time,
-                                   const Vector<double> &displacement,
-                                   Vector<double>       &forces) const
+  Loads<dim>::add_following_forces(const double     time,
+                                   const DofVector &displacement,
+                                   DofVector       &forces) const
   {
     add_volume_forces(time, &displacement, forces);
     add_boundary_forces(time, &displacement, forces);
@@ -328,9 +328,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_volume_forces(const double          time,
-                                const Vector<double> *displacement,
-                                Vector<double>       &forces) const
+  Loads<dim>::add_volume_forces(const double     time,
+                                const DofVector *displacement,
+                                DofVector       &forces) const
   {
     const bool is_loaded = displacement ?
                              is_finite() && !rotation_.empty() :
@@ -377,9 +377,9 @@ namespace Signorini
 
   template <int dim>
   void
-  Loads<dim>::add_boundary_forces(const double          time,
-                                  const Vector<double> *displacement,
-                                  Vector<double>       &forces) const
+  Loads<dim>::add_boundary_forces(const double     time,
+                                  const DofVector *displacement,
+                                  DofVector       &forces) const
   {
     const auto is_due = [&](const BoundaryLoad &load) {
       return (load.is_pressure && is_finite()) == (displacement != nullptr);

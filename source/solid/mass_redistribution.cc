@@ -246,8 +246,8 @@ namespace Signorini
 
 
   void
-  MassRedistribution::congruence(const SparseMatrix<double> &matrix,
-                                 SparseMatrix<double>       &result) const
+  MassRedistribution::congruence(const DofMatrix &matrix,
+                                 DofMatrix       &result) const
   {
     const auto row_of = [&](const unsigned int dof) -> Row {
       const auto found = rows_.find(dof);
@@ -274,7 +274,7 @@ namespace Signorini
 
 
   void
-  MassRedistribution::move_mass(SparseMatrix<double> &mass) const
+  MassRedistribution::move_mass(DofMatrix &mass) const
   {
     // What a massless unknown loses: its row and column, where they meet once.
     std::map<unsigned int, double> lost;
@@ -296,7 +296,7 @@ namespace Signorini
 
   void
   MassRedistribution::hand_over(const unsigned int massless,
-                                Vector<double>    &force) const
+                                DofVector         &force) const
   {
     for (const auto &[dof, weight] : rows_.at(massless))
       force[dof] += weight * force[massless];
@@ -306,7 +306,7 @@ namespace Signorini
 
 
   void
-  MassRedistribution::extrapolate(Vector<double> &vector) const
+  MassRedistribution::extrapolate(DofVector &vector) const
   {
     for (const auto &[massless, row] : rows_)
       {
@@ -320,7 +320,7 @@ namespace Signorini
 
 
   void
-  MassRedistribution::clear_massless(Vector<double> &vector) const
+  MassRedistribution::clear_massless(DofVector &vector) const
   {
     for (const auto &[massless, row] : rows_)
       vector[massless] = 0.;

@@ -14,7 +14,7 @@ namespace Signorini
     class FreeMass
     {
     public:
-      FreeMass(const SparseMatrix<double> &mass, const DofMap &dof_map)
+      FreeMass(const DofMatrix &mass, const DofMap &dof_map)
         : mass_(mass)
         , inverse_diagonal_(mass.m())
       {
@@ -23,7 +23,7 @@ namespace Signorini
             inverse_diagonal_[i] = 1. / mass.diag_element(i);
       }
 
-      void restrict(Vector<double> &vector) const
+      void restrict(DofVector &vector) const
       {
         for (unsigned int i = 0; i < vector.size(); ++i)
           if (inverse_diagonal_[i] == 0.)
@@ -31,7 +31,7 @@ namespace Signorini
       }
 
       void
-      vmult(Vector<double> &result, const Vector<double> &vector) const
+      vmult(DofVector &result, const DofVector &vector) const
       {
         mass_.vmult(result, vector);
         restrict(result);
@@ -40,13 +40,13 @@ namespace Signorini
       struct Preconditioner
       {
         void
-        vmult(Vector<double> &result, const Vector<double> &vector) const
+        vmult(DofVector &result, const DofVector &vector) const
         {
           result = vector;
           result.scale(inverse_diagonal);
         }
 
-        const Vector<double> &inverse_diagonal;
+        const DofVector &inverse_diagonal;
       };
 
       Preconditioner
@@ -56,28 +56,28 @@ namespace Signorini
       }
 
     private:
-      const SparseMatrix<double> &mass_;
-      Vector<double>              inverse_diagonal_; // 0: not solved for
+      const DofMatrix &mass_;
+      DofVector        inverse_diagonal_; // 0: not solved for
     };
   } // namespace
 
 
 
   void
-  accelerate(const SparseMatrix<double> &mass,
-             const DofMap               &dof_map,
-             const Vector<double>       &force,
-             Vector<double>             &acceleration)
+  accelerate(const DofMatrix &mass,
+             const DofMap    &dof_map,
+             const DofVector &force,
+             DofVector       &acceleration)
   {
     const FreeMass matrix(mass, dof_map);
-    Vector<double> change(force);
-    Vector<double> product(force.size());
+    DofVector      change(force);
+    DofVector      product(force.size());
     mass.vmult(product, acceleration);
     change -= product;
     matrix.restrict(change);
-    SolverControl            control(1000, 1e-14 * force.l2_norm());
-    SolverCG<Vector<double>> solver(control);
-    Vector<double>           correction(force.size());
+    SolverControl       control(1000, 1e-14 * force.l2_norm());
+    SolverCG<DofVector> solver(control);
+    DofVector           correction(force.size());
     if (change.l2_norm() > control.tolerance())
       solver.solve(matrix, correction, change, matrix.preconditioner());
     acceleration += correction;

@@ -70,7 +70,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<Tensor<1, dim>>
-  nodal_values(const DoFHandler<dim> &dof_handler, const Vector<double> &values)
+  nodal_values(const DoFHandler<dim> &dof_handler, const DofVector &values)
   {
     AssertDimension(values.size(), dof_handler.n_dofs());
     std::vector<Tensor<1, dim>> result;
@@ -90,7 +90,7 @@ namespace Signorini
   template NodalMesh<dim>              nodal_mesh<dim>(const DoFHandler<dim> &, \
                                           const Mapping<dim> &);   \
   template std::vector<Tensor<1, dim>> nodal_values<dim>(                       \
-    const DoFHandler<dim> &, const Vector<double> &);
+    const DoFHandler<dim> &, const DofVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -11,7 +11,7 @@ namespace Signorini
   {
     template <int dim>
     NodalMesh<dim>
-    deformed_mesh(const Body<dim> &body, const Vector<double> &displacement)
+    deformed_mesh(const Body<dim> &body, const DofVector &displacement)
     {
       NodalMesh<dim> mesh = nodal_mesh(body.dof_handler(), body.mapping());
       const auto     moved =
@@ -92,8 +92,8 @@ namespace Signorini
 
 
   template <int dim>
-  OccupiedRegion<dim>::OccupiedRegion(const Body<dim>      &body,
-                                      const Vector<double> &displacement)
+  OccupiedRegion<dim>::OccupiedRegion(const Body<dim> &body,
+                                      const DofVector &displacement)
     : mesh_(deformed_mesh(body, displacement))
     , cells_(mesh_)
     , box_(mesh_.nodes)

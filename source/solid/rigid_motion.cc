@@ -86,7 +86,7 @@ namespace Signorini
     struct PlacedPart
     {
       PlacedPart(const std::vector<Node<dim>> &part_nodes,
-                 const Vector<double>         &displacement)
+                 const DofVector              &displacement)
         : nodes(part_nodes)
       {
         for (Node<dim> &node : nodes)
@@ -211,7 +211,7 @@ namespace Signorini
   template <int dim>
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
-                   const Vector<double>                &displacement,
+                   const DofVector                     &displacement,
                    const DofMap                        &dof_map,
                    const std::vector<SlidingNode<dim>> &sliding_nodes)
   {
@@ -234,7 +234,7 @@ namespace Signorini
 #define INSTANTIATE(dim)                            \
   template std::vector<RigidMode> free_rigid_modes( \
     const Body<dim> &,                              \
-    const Vector<double> &,                         \
+    const DofVector &,                              \
     const DofMap &,                                 \
     const std::vector<SlidingNode<dim>> &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)

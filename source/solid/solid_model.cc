@@ -115,9 +115,9 @@ namespace Signorini
   void
   SolidModel<dim>::add_initial_stiffness(
     const std::function<double(const Body<dim> &)> &factor,
-    SparseMatrix<double>                           &matrix) const
+    DofMatrix                                      &matrix) const
   {
-    const Vector<double>      zero(n_dofs());
+    const DofVector           zero(n_dofs());
     const std::vector<double> history_n = initial_history();
     SolidResponse             response;
     response.internal_force.reinit(n_dofs());
@@ -141,7 +141,7 @@ namespace Signorini
 
   template <int dim>
   std::vector<RigidMode>
-  SolidModel<dim>::free_modes(const Vector<double> &displacement) const
+  SolidModel<dim>::free_modes(const DofVector &displacement) const
   {
     std::vector<RigidMode> modes;
     for (const auto &part : parts_)
@@ -213,10 +213,10 @@ namespace Signorini
 
 
   template <int dim>
-  Vector<double>
-  SolidModel<dim>::force_rounding(const Vector<double> &displacement) const
+  DofVector
+  SolidModel<dim>::force_rounding(const DofVector &displacement) const
   {
-    Vector<double> rounding(n_dofs());
+    DofVector rounding(n_dofs());
     for (unsigned int i = 0; i < n_dofs(); ++i)
       {
         double sum = 0.;
@@ -289,7 +289,7 @@ namespace Signorini
   SolidResponse
   SolidModel<dim>::respond(const SolidStep           &step,
                            const std::vector<double> &history_n,
-                           SparseMatrix<double>      *tangent) const
+                           DofMatrix                 *tangent) const
   {
     SolidResponse response;
     response.internal_force.reinit(n_dofs());
@@ -300,7 +300,7 @@ namespace Signorini
           0.5 * (step.displacement * response.internal_force);
         if (step.displacement_n)
           {
-            Vector<double> mean(step.displacement);
+            DofVector mean(step.displacement);
             mean.sadd(0.5, 0.5, *step.displacement_n);
             response.mean_force.reinit(n_dofs());
             stiffness_.vmult(response.mean_force, mean);
@@ -335,9 +335,9 @@ namespace Signorini
 
 
   template <int dim>
-  const Vector<double> &
-  SolidModel<dim>::external_force(const double          time,
-                                  const Vector<double> &displacement) const
+  const DofVector &
+  SolidModel<dim>::external_force(const double     time,
+                                  const DofVector &displacement) const
   {
     const bool is_known =
       loads_vary_ ? force_time_ == time : !std::isnan(force_time_);
@@ -367,8 +367,8 @@ namespace Signorini
 
   template <int dim>
   void
-  SolidModel<dim>::apply_supports(const double    time,
-                                  Vector<double> &displacement) const
+  SolidModel<dim>::apply_supports(const double time,
+                                  DofVector   &displacement) const
   {
     for (const auto &part : parts_)
       part.supports.set_displacements(time, displacement);
@@ -383,10 +383,10 @@ namespace Signorini
 
   template <int dim>
   void
-  SolidModel<dim>::apply_support_rates(const double    time,
-                                       const double    step_size,
-                                       Vector<double> &velocity,
-                                       Vector<double> &acceleration) const
+  SolidModel<dim>::apply_support_rates(const double time,
+                                       const double step_size,
+                                       DofVector   &velocity,
+                                       DofVector   &acceleration) const
   {
     for (const auto &part : parts_)
       part.supports.set_rates(time, step_size, velocity, acceleration);
@@ -408,9 +408,8 @@ namespace Signorini
   double
   SolidModel<dim>::stiffness_at_load(const double time) const
   {
-    const Vector<double> &force =
-      external_force(time, Vector<double>(n_dofs()));
-    Tensor<1, dim> resultant;
+    const DofVector &force = external_force(time, DofVector(n_dofs()));
+    Tensor<1, dim>   resultant;
     for (const auto &part : parts_)
       for (const auto &node : part.body->nodes())
         for (unsigned int c = 0; c < dim; ++c)
@@ -425,7 +424,7 @@ namespace Signorini
         SparseCholesky cholesky;
         cholesky.analyse(sparsity_, dof_map_.constrained(), {});
         cholesky.factorise(stiffness_);
-        Vector<double> displacement(n_dofs());
+        DofVector displacement(n_dofs());
         cholesky.solve(displacement, force);
         return resultant.norm_square() / (force * displacement);
       }

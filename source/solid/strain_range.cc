@@ -63,8 +63,8 @@ namespace Signorini
 
   template <int dim>
   bool
-  StrainRange<dim>::is_moved(const unsigned int    cell,
-                             const Vector<double> &displacement) const
+  StrainRange<dim>::is_moved(const unsigned int cell,
+                             const DofVector   &displacement) const
   {
     const unsigned int  n_dofs  = body_->fe().n_dofs_per_cell();
     const unsigned int *dofs    = &dofs_[cell * n_dofs];
@@ -80,7 +80,7 @@ namespace Signorini
 
   template <int dim>
   StrainExtremes<dim>
-  StrainRange<dim>::measure(const Vector<double> &displacement) const
+  StrainRange<dim>::measure(const DofVector &displacement) const
   {
     const FE_Q<dim> &fe = body_->scalar_fe();
     FEValues<dim>    values(body_->mapping(),

@@ -104,7 +104,7 @@ namespace Signorini
 
   template <int dim>
   std::map<std::string, Vector<double>>
-  StressRecovery<dim>::fields(const Vector<double>         &displacement,
+  StressRecovery<dim>::fields(const DofVector              &displacement,
                               const ArrayView<const double> history) const
   {
     const auto         at_points = point_values(*body_, displacement, history);

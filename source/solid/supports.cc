@@ -274,7 +274,7 @@ namespace Signorini
   void
   Supports<dim>::set_global(const double       time,
                             const unsigned int derivative,
-                            Vector<double>    &vector) const
+                            DofVector         &vector) const
   {
     if (global_nodes_.empty())
       return;
@@ -288,8 +288,8 @@ namespace Signorini
 
   template <int dim>
   void
-  Supports<dim>::set_displacements(const double    time,
-                                   Vector<double> &displacement) const
+  Supports<dim>::set_displacements(const double time,
+                                   DofVector   &displacement) const
   {
     set_global(time, 0, displacement);
     for (const auto &[dof, point, motion] : prescribed_)
@@ -300,10 +300,10 @@ namespace Signorini
 
   template <int dim>
   void
-  Supports<dim>::set_rates(const double    time,
-                           const double    step_size,
-                           Vector<double> &velocity,
-                           Vector<double> &acceleration) const
+  Supports<dim>::set_rates(const double time,
+                           const double step_size,
+                           DofVector   &velocity,
+                           DofVector   &acceleration) const
   {
     set_global(time, 1, velocity);
     set_global(time, 2, acceleration);

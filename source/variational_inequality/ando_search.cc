@@ -53,7 +53,7 @@ namespace Signorini
           if (signs[k] != 0)
             fixed[system.contact(k).row + 1] = signs[k] * bounds[k];
         const std::vector<double> left = system.residual(fixed);
-        FullMatrix<double>        W(n, n);
+        InterfaceMatrix           W(n, n);
         std::vector<double>       d(n);
         for (unsigned int i = 0; i < n; ++i)
           {

@@ -7,7 +7,7 @@ namespace Signorini
   using namespace dealii;
 
   BoundConstrainedSolution
-  solve_bound_constrained_qp(const FullMatrix<double>  &W,
+  solve_bound_constrained_qp(const InterfaceMatrix     &W,
                              const std::vector<double> &d,
                              const std::vector<double> &start,
                              const double               resolution)

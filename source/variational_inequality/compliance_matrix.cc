@@ -34,7 +34,7 @@ namespace Signorini
           old[i] = found->second;
       }
 
-    FullMatrix<double> matrix(n, n);
+    InterfaceMatrix matrix(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         matrix(i, j) = matrix(j, i) =

@@ -35,7 +35,7 @@ namespace Signorini
       solve_normal()
       {
         const unsigned int  m = system.n_contacts();
-        FullMatrix<double>  W(m, m);
+        InterfaceMatrix     W(m, m);
         std::vector<double> d(m), lambda(m), held = x;
         for (unsigned int i = 0; i < m; ++i)
           {

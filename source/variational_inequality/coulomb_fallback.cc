@@ -48,7 +48,7 @@ namespace Signorini
         return x;
       }
 
-      FullMatrix<double>  M;
+      InterfaceMatrix     M;
       std::vector<double> q;
 
     private:

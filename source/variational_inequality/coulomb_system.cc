@@ -19,11 +19,11 @@ namespace Signorini
 
 
 
-  CoulombSystem::CoulombSystem(const FullMatrix<double> &W,
-                               std::vector<DualContact>  contacts,
-                               std::vector<double>       compliance,
-                               std::vector<double>       d,
-                               const double              length_scale)
+  CoulombSystem::CoulombSystem(const InterfaceMatrix   &W,
+                               std::vector<DualContact> contacts,
+                               std::vector<double>      compliance,
+                               std::vector<double>      d,
+                               const double             length_scale)
     : W(W)
     , contacts(std::move(contacts))
     , compliance(std::move(compliance))

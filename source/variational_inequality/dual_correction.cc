@@ -1,6 +1,7 @@
 // The part of DualIteration that finds new forces on the working set.
 #include <signorini/variational_inequality/bound_constrained_qp.h>
 #include <signorini/variational_inequality/interface_error.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <algorithm>
 #include <limits>
@@ -29,17 +30,17 @@ namespace Signorini
     // d is formed from the gaps of the present displacement, not from those
     // without contact: the first face then solves for a correction only,
     // which is iterative refinement.
-    const unsigned int        m = working_set.size();
-    const FullMatrix<double> &kept =
+    const unsigned int     m = working_set.size();
+    const InterfaceMatrix &kept =
       problem.compliance_matrix(working_set, false).matrix();
-    FullMatrix<double> soft;
+    InterfaceMatrix soft;
     if (terms.compliance != 0.)
       {
         soft = kept;
         soft.diagadd(terms.compliance);
       }
-    const FullMatrix<double> &W = terms.compliance != 0. ? soft : kept;
-    std::vector<double>       d(m), start(m);
+    const InterfaceMatrix &W = terms.compliance != 0. ? soft : kept;
+    std::vector<double>    d(m), start(m);
     for (unsigned int i = 0; i < m; ++i)
       start[i] = solution.forces.normal[working_set[i]];
     for (unsigned int i = 0; i < m; ++i)

@@ -1,6 +1,7 @@
 #include "dual_iteration.h"
 
 #include <signorini/variational_inequality/coulomb_newton.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,7 @@ namespace Signorini
   DualIteration::length(const unsigned int k) const
   {
     const InterfaceContact &contact = problem.contact(k);
-    const Vector<double>   &free    = problem.free_displacement();
+    const InterfaceVector  &free    = problem.free_displacement();
     double length = contact.normal.absolute_dot(free) + std::abs(contact.gap) +
                     std::abs(offset(k));
     if (has_friction(k))

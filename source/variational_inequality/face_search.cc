@@ -1,5 +1,7 @@
 #include "face_search.h"
 
+#include <signorini/variational_inequality/interface_types.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace Signorini
 {
   using namespace dealii;
 
-  FaceSearch::FaceSearch(const FullMatrix<double>  &W,
+  FaceSearch::FaceSearch(const InterfaceMatrix     &W,
                          const std::vector<double> &d,
                          const std::vector<double> &start,
                          const double               resolution)

@@ -2,9 +2,8 @@
 #define signorini_variational_inequality_face_search_h
 
 #include <signorini/variational_inequality/bound_constrained_qp.h>
+#include <signorini/variational_inequality/interface_types.h>
 #include <signorini/variational_inequality/semidefinite_cholesky.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <limits>
 #include <set>
@@ -19,10 +18,10 @@ namespace Signorini
   class FaceSearch
   {
   public:
-    FaceSearch(const dealii::FullMatrix<double> &W,
-               const std::vector<double>        &d,
-               const std::vector<double>        &start,
-               const double                      resolution);
+    FaceSearch(const InterfaceMatrix     &W,
+               const std::vector<double> &d,
+               const std::vector<double> &start,
+               const double               resolution);
 
     BoundConstrainedSolution
     run();
@@ -113,9 +112,9 @@ namespace Signorini
     BoundConstrainedSolution
     finish(const QPOutcome outcome, const std::vector<unsigned int> &violated);
 
-    const dealii::FullMatrix<double> &W;
-    const std::vector<double>        &d;
-    const double                      resolution;
+    const InterfaceMatrix     &W;
+    const std::vector<double> &d;
+    const double               resolution;
 
     std::vector<double>         x;
     std::vector<double>         residual;

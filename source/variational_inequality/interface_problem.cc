@@ -19,7 +19,7 @@ namespace Signorini
 
 
   void
-  InterfaceProblem::set_force(const Vector<double> &r)
+  InterfaceProblem::set_force(const InterfaceVector &r)
   {
     AssertDimension(r.size(), size());
     condensed_force         = r;
@@ -32,7 +32,7 @@ namespace Signorini
 
 
   void
-  InterfaceProblem::set_reduced_force(const Vector<double> &y)
+  InterfaceProblem::set_reduced_force(const InterfaceVector &y)
   {
     AssertDimension(y.size(), size());
     reduced_force           = y;
@@ -102,7 +102,7 @@ namespace Signorini
 
 
 
-  const Vector<double> &
+  const InterfaceVector &
   InterfaceProblem::force() const
   {
     Assert(force_known || reduced_force_known, ExcNotInitialized());
@@ -117,7 +117,7 @@ namespace Signorini
 
 
 
-  const Vector<double> &
+  const InterfaceVector &
   InterfaceProblem::free_displacement() const
   {
     Assert(force_known || reduced_force_known, ExcNotInitialized());
@@ -144,7 +144,7 @@ namespace Signorini
   {
     if (!free_gaps_known)
       {
-        const Vector<double> &displacement = free_displacement();
+        const InterfaceVector &displacement = free_displacement();
         gaps_without_contact.resize(n_contacts());
         for (unsigned int k = 0; k < n_contacts(); ++k)
           gaps_without_contact[k] = gap_after(k, displacement);
@@ -155,7 +155,7 @@ namespace Signorini
 
 
 
-  const Vector<double> &
+  const InterfaceVector &
   InterfaceProblem::row_response(const unsigned int number) const
   {
     AssertIndexRange(number, 3 * contacts.size());

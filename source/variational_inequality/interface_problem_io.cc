@@ -214,7 +214,7 @@ namespace Signorini
     read_stiffness(reader, n, problem);
 
     reader.expect("force");
-    Vector<double> force(n);
+    InterfaceVector force(n);
     for (double &entry : force)
       entry = reader.number("the force");
     problem.set_force(force);

@@ -34,7 +34,7 @@ namespace Signorini
 
     // x <- L x. From the last column on, so that x_j is read before it changes.
     void
-    multiply_by_columns(const double *lower, Vector<double> &x)
+    multiply_by_columns(const double *lower, InterfaceVector &x)
     {
       const Blas::Integer n = x.size();
       for (Blas::Integer j = n - 1; j >= 0; --j)
@@ -51,7 +51,7 @@ namespace Signorini
 
     // x <- L^T x.
     void
-    multiply_transposed_by_columns(const double *lower, Vector<double> &x)
+    multiply_transposed_by_columns(const double *lower, InterfaceVector &x)
     {
       const Blas::Integer n = x.size();
       for (Blas::Integer i = 0; i < n; ++i)
@@ -69,7 +69,7 @@ namespace Signorini
     run_kernel(TriangularKernel *kernel,
                const char        transposition,
                const double     *lower,
-               Vector<double>   &x)
+               InterfaceVector  &x)
     {
       const Blas::Integer n = x.size();
       if (n > 0)
@@ -129,7 +129,7 @@ namespace Signorini
     // Makes both triangles alike, tile by tile so that the rows of the one and
     // the columns of the other stay in the cache.
     void
-    copy_upper_to_lower(FullMatrix<double> &matrix)
+    copy_upper_to_lower(InterfaceMatrix &matrix)
     {
       const unsigned int n = matrix.m(), tile = 32;
       for (unsigned int i0 = 0; i0 < n; i0 += tile)
@@ -143,12 +143,12 @@ namespace Signorini
 
 
   InterfaceStiffness::InterfaceStiffness()
-    : InterfaceStiffness(FullMatrix<double>())
+    : InterfaceStiffness(InterfaceMatrix())
   {}
 
 
 
-  InterfaceStiffness::InterfaceStiffness(FullMatrix<double> &&transposed_factor)
+  InterfaceStiffness::InterfaceStiffness(InterfaceMatrix &&transposed_factor)
     : parts(std::make_shared<Parts>())
   {
     parts->transposed_factor.swap(transposed_factor);
@@ -167,14 +167,13 @@ namespace Signorini
         not_positive_definite(i);
     if (size == 0)
       return InterfaceStiffness();
-    return InterfaceStiffness(
-      FullMatrix<double>(size, size, lower_factor.data()));
+    return InterfaceStiffness(InterfaceMatrix(size, size, lower_factor.data()));
   }
 
 
 
   InterfaceStiffness
-  InterfaceStiffness::from_matrix(FullMatrix<double> matrix)
+  InterfaceStiffness::from_matrix(InterfaceMatrix matrix)
   {
     AssertDimension(matrix.m(), matrix.n());
     // Symmetric, it is the same by rows and by columns.
@@ -198,7 +197,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::multiply(Vector<double> &x) const
+  InterfaceStiffness::multiply(InterfaceVector &x) const
   {
     multiply_transposed_factor(x);
     multiply_factor(x);
@@ -207,11 +206,11 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::multiply_absolute(Vector<double> &x) const
+  InterfaceStiffness::multiply_absolute(InterfaceVector &x) const
   {
     AssertDimension(x.size(), size());
     const unsigned int n = size();
-    Vector<double>     product(n);
+    InterfaceVector    product(n);
     for (unsigned int j = 0; j < n; ++j)
       {
         const double *const column = lower() + std::size_t(j) * n;
@@ -227,7 +226,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::solve(Vector<double> &x) const
+  InterfaceStiffness::solve(InterfaceVector &x) const
   {
     solve_factor(x);
     solve_transposed_factor(x);
@@ -261,7 +260,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::multiply_factor(Vector<double> &x) const
+  InterfaceStiffness::multiply_factor(InterfaceVector &x) const
   {
     AssertDimension(x.size(), size());
     if (size() <= largest_by_columns)
@@ -273,7 +272,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::multiply_transposed_factor(Vector<double> &x) const
+  InterfaceStiffness::multiply_transposed_factor(InterfaceVector &x) const
   {
     AssertDimension(x.size(), size());
     if (size() <= largest_by_columns)
@@ -285,7 +284,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::solve_factor(Vector<double> &x) const
+  InterfaceStiffness::solve_factor(InterfaceVector &x) const
   {
     run_kernel(Blas::dtrsv_, 'N', lower(), x);
   }
@@ -293,7 +292,7 @@ namespace Signorini
 
 
   void
-  InterfaceStiffness::solve_transposed_factor(Vector<double> &x) const
+  InterfaceStiffness::solve_transposed_factor(InterfaceVector &x) const
   {
     run_kernel(Blas::dtrsv_, 'T', lower(), x);
   }
@@ -316,10 +315,10 @@ namespace Signorini
 
 
 
-  const FullMatrix<double> &
+  const InterfaceMatrix &
   InterfaceStiffness::matrix() const
   {
-    FullMatrix<double> &matrix = parts->matrix;
+    InterfaceMatrix &matrix = parts->matrix;
     if (matrix.m() != size())
       {
         matrix.reinit(size(), size());

@@ -50,11 +50,11 @@ namespace Signorini
                          const InterfaceSolution &solution,
                          KKTResidual             &residual)
     {
-      Vector<double> stiffness_force = solution.displacement;
+      InterfaceVector stiffness_force = solution.displacement;
       problem.stiffness().multiply(stiffness_force);
-      Vector<double> terms = solution.displacement; // absolute, summed up
+      InterfaceVector terms = solution.displacement; // absolute, summed up
       problem.stiffness().multiply_absolute(terms);
-      Vector<double> contact_force(problem.size());
+      InterfaceVector contact_force(problem.size());
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         {
           const InterfaceContact &contact = problem.contact(k);
@@ -65,9 +65,9 @@ namespace Signorini
                                          solution.forces.tangential[k][j]);
         }
 
-      const Vector<double> &force     = problem.force();
-      const double          share     = relative_rounding(problem.size());
-      double                unbalance = 0.;
+      const InterfaceVector &force     = problem.force();
+      const double           share     = relative_rounding(problem.size());
+      double                 unbalance = 0.;
       for (unsigned int i = 0; i < problem.size(); ++i)
         {
           raise(residual.force_scale, std::abs(force(i)));
@@ -89,7 +89,7 @@ namespace Signorini
                          const std::vector<double> &gaps,
                          KKTResidual               &residual)
     {
-      const Vector<double> &free = problem.free_displacement();
+      const InterfaceVector &free = problem.free_displacement();
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         {
           const InterfaceContact &contact = problem.contact(k);

@@ -18,7 +18,7 @@ namespace Signorini
     class Tableau
     {
     public:
-      Tableau(const FullMatrix<double>  &M,
+      Tableau(const InterfaceMatrix     &M,
               const std::vector<double> &q,
               const std::vector<double> &cover)
         : n(q.size())
@@ -143,7 +143,7 @@ namespace Signorini
       }
 
       unsigned int              n;
-      FullMatrix<double>        table;
+      InterfaceMatrix           table;
       std::vector<unsigned int> basis;
       unsigned int              leaving = 0;
     };
@@ -152,7 +152,7 @@ namespace Signorini
 
 
   std::optional<std::vector<double>>
-  solve_complementarity(const FullMatrix<double>  &M,
+  solve_complementarity(const InterfaceMatrix     &M,
                         const std::vector<double> &q,
                         const std::vector<double> &cover)
   {

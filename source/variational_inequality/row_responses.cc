@@ -59,7 +59,7 @@ namespace Signorini
 
     for (unsigned int c = 0; c < missing.size(); ++c)
       {
-        Vector<double> &response = responses[missing[c]];
+        InterfaceVector &response = responses[missing[c]];
         response.reinit(n, /*omit_zeroing_entries=*/true);
         std::copy_n(columns.begin() + std::size_t(c) * n, n, response.begin());
         known[missing[c]] = 1;

@@ -26,7 +26,7 @@ namespace Signorini
 
 
   SemidefiniteCholesky::SemidefiniteCholesky(
-    const FullMatrix<double>        &matrix,
+    const InterfaceMatrix           &matrix,
     const std::vector<unsigned int> &indices)
     : n(indices.size())
     , independent_rows(0)

@@ -73,13 +73,13 @@ namespace Signorini
     }
 
     // r - S du - A^T lambda - T^T tau.
-    Vector<double>
+    InterfaceVector
     unbalanced_force(const InterfaceProblem  &problem,
                      const InterfaceSolution &solution)
     {
-      Vector<double> product(solution.displacement);
+      InterfaceVector product(solution.displacement);
       problem.stiffness().multiply(product);
-      Vector<double> force(problem.force());
+      InterfaceVector force(problem.force());
       force -= product;
       for (unsigned int k = 0; k < problem.n_contacts(); ++k)
         {
@@ -94,14 +94,14 @@ namespace Signorini
     }
 
     // S^-1 times the force of a unit of a row.
-    Vector<double>
+    InterfaceVector
     response(const InterfaceProblem      &problem,
              const ActiveRow             &row,
              const std::array<double, 2> &friction)
     {
       if (row.tangent >= 0)
         return problem.tangent_response(row.contact, row.tangent);
-      Vector<double> result(problem.response(row.contact));
+      InterfaceVector result(problem.response(row.contact));
       for (unsigned int j = 0; j < 2; ++j)
         if (friction[j] != 0.)
           result.add(friction[j], problem.tangent_response(row.contact, j));
@@ -114,22 +114,22 @@ namespace Signorini
   bool
   refine(const InterfaceProblem &problem, InterfaceSolution &solution)
   {
-    const auto     rows   = active_rows(problem, solution);
-    Vector<double> motion = unbalanced_force(problem, solution);
+    const auto      rows   = active_rows(problem, solution);
+    InterfaceVector motion = unbalanced_force(problem, solution);
     problem.stiffness().solve(motion);
     if (!rows.empty())
       {
         const unsigned int                 n = rows.size();
         std::vector<std::array<double, 2>> frictions;
-        std::vector<Vector<double>>        responses;
+        std::vector<InterfaceVector>       responses;
         for (const ActiveRow &row : rows)
           {
             frictions.push_back(
               friction_of_normal(problem, solution.forces, row));
             responses.push_back(response(problem, row, frictions.back()));
           }
-        FullMatrix<double> compliance(n);
-        Vector<double>     lack(n), change(n);
+        InterfaceMatrix compliance(n);
+        InterfaceVector lack(n), change(n);
         for (unsigned int a = 0; a < n; ++a)
           {
             const SparseRow &row = kinematic_row(problem, rows[a]);
@@ -141,7 +141,7 @@ namespace Signorini
           {
             compliance.gauss_jordan();
           }
-        catch (const FullMatrix<double>::ExcNotRegular &)
+        catch (const InterfaceMatrix::ExcNotRegular &)
           {
             return false;
           }

@@ -4,10 +4,10 @@
 #include <signorini/contact/contact_pair.h>
 #include <signorini/contact/contact_point.h>
 #include <signorini/contact/interface_numbering.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/dof_map.h>
 #include <signorini/variational_inequality/interface_problem.h>
-
-#include <deal.II/lac/vector.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <string>
 #include <vector>
@@ -138,7 +138,7 @@ namespace Signorini
     add_contact_forces(const std::vector<ContactPoint<dim>> &points,
                        const InterfaceForces                &contact_forces,
                        const double                          factor,
-                       dealii::Vector<double>               &forces) const;
+                       DofVector                            &forces) const;
 
     /**
      * The geometric contact term - sum_k lambda_k grad grad g_k on the
@@ -147,7 +147,7 @@ namespace Signorini
     void
     add_geometric_stiffness(const std::vector<ContactPoint<dim>> &points,
                             const std::vector<double>            &normal_forces,
-                            dealii::FullMatrix<double> &stiffness) const;
+                            InterfaceMatrix &stiffness) const;
 
   private:
     void

@@ -1,10 +1,11 @@
 #ifndef signorini_contact_contact_target_h
 #define signorini_contact_contact_target_h
 
+#include <signorini/linear_algebra/types.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <memory>
@@ -18,8 +19,8 @@ namespace Signorini
   /** Where all unknowns are at a time. A view: both must outlive it. */
   struct Configuration
   {
-    const dealii::Vector<double> &displacement; // m
-    double                        time;         // s
+    const DofVector &displacement; // m
+    double           time;         // s
   };
 
   /** A point on the contactor, looking for its target. */

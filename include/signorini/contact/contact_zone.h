@@ -2,6 +2,7 @@
 #define signorini_contact_contact_zone_h
 
 #include <signorini/contact/contact_pair.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <vector>
 
@@ -27,9 +28,9 @@ namespace Signorini
    */
   template <int dim>
   ContactZone<dim>
-  contact_zone(const ContactPair<dim>       &pair,
-               const std::vector<double>    &normal_forces,
-               const dealii::Vector<double> &displacement);
+  contact_zone(const ContactPair<dim>    &pair,
+               const std::vector<double> &normal_forces,
+               const DofVector           &displacement);
 
   /** An open node near which the surfaces may touch. */
   template <int dim>
@@ -53,10 +54,10 @@ namespace Signorini
    */
   template <int dim>
   std::vector<NearMiss<dim>>
-  near_misses(const ContactPair<dim>       &pair,
-              const std::vector<double>    &normal_forces,
-              const std::vector<double>    &gaps,
-              const dealii::Vector<double> &displacement);
+  near_misses(const ContactPair<dim>    &pair,
+              const std::vector<double> &normal_forces,
+              const std::vector<double> &gaps,
+              const DofVector           &displacement);
 } // namespace Signorini
 
 #endif

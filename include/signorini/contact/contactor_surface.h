@@ -1,6 +1,7 @@
 #ifndef signorini_contact_contactor_surface_h
 #define signorini_contact_contactor_surface_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <string>
@@ -41,7 +42,7 @@ namespace Signorini
   template <int dim>
   std::vector<dealii::Point<dim>>
   node_positions(const std::vector<Node<dim>> &nodes,
-                 const dealii::Vector<double> &displacement);
+                 const DofVector              &displacement);
 
   /**
    * By how much the area that belongs to each node has grown: the size of the

@@ -3,8 +3,7 @@
 
 #include <signorini/contact/contact_point.h>
 #include <signorini/solid/dof_map.h>
-
-#include <deal.II/lac/full_matrix.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <vector>
 
@@ -40,9 +39,9 @@ namespace Signorini
 
     /** matrix += factor grad grad g on the unknowns of the interface. */
     void
-    add_curvature(const GapCurvature         &curvature,
-                  const double                factor,
-                  dealii::FullMatrix<double> &matrix) const;
+    add_curvature(const GapCurvature &curvature,
+                  const double        factor,
+                  InterfaceMatrix    &matrix) const;
 
   private:
     void

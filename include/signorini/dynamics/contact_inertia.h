@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/dynamics/state.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/solid_model.h>
 
 #include <functional>
@@ -78,11 +79,11 @@ namespace Signorini
   private:
     // Velocities of bodies whose nodes lost or got mass.
     void
-    keep_motion(const dealii::SparseMatrix<double> &old_mass,
-                const dealii::SparseMatrix<double> &mass,
-                const std::vector<unsigned int>    &nodes,
-                const dealii::Vector<double>       &old_velocity,
-                State                              &result) const;
+    keep_motion(const DofMatrix                 &old_mass,
+                const DofMatrix                 &mass,
+                const std::vector<unsigned int> &nodes,
+                const DofVector                 &old_velocity,
+                State                           &result) const;
 
     // Nodes with mass of pairs with a candidate that is close.
     std::vector<unsigned int>

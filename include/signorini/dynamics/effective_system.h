@@ -4,12 +4,12 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/dynamics/free_modes.h>
 #include <signorini/linear_algebra/condensed_solver.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/output/timings.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/variational_inequality/interface_algorithm.h>
 #include <signorini/variational_inequality/interface_problem.h>
-
-#include <deal.II/lac/sparse_matrix.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <memory>
 
@@ -45,10 +45,10 @@ namespace Signorini
     /** What one iteration finds. */
     struct Correction
     {
-      dealii::Vector<double> motion;      // of all unknowns, m
-      InterfaceForces        multipliers; // of the candidates, N
-      std::vector<char>      is_slipping; // each candidate
-      double                 kkt_residual;
+      DofVector         motion;      // of all unknowns, m
+      InterfaceForces   multipliers; // of the candidates, N
+      std::vector<char> is_slipping; // each candidate
+      double            kkt_residual;
 
       // Where the algorithm met a set of contacts twice, so that a globally
       // convergent method took over.
@@ -70,8 +70,7 @@ namespace Signorini
      * @param is_everywhere false: there are nodes without mass
      */
     void
-    use_mass(const dealii::SparseMatrix<double> &mass,
-             const bool                          is_everywhere);
+    use_mass(const DofMatrix &mass, const bool is_everywhere);
 
     /**
      * Assembles and factorises K^, unless it is the one at hand.
@@ -89,12 +88,11 @@ namespace Signorini
      * @throws NotPositiveDefinite, ComputationError.
      */
     void
-    factorise(const Factors                      &factors,
-              const dealii::SparseMatrix<double> *tangent = nullptr);
+    factorise(const Factors &factors, const DofMatrix *tangent = nullptr);
 
     /** What can move as a whole is at this displacement now, m. */
     void
-    place(const dealii::Vector<double> &displacement);
+    place(const DofVector &displacement);
 
     /**
      * Solves K^ motion = residual + contact forces under the gap constraints.
@@ -106,7 +104,7 @@ namespace Signorini
      * @throws InterfaceError.
      */
     Correction
-    correct(const dealii::Vector<double>         &residual,
+    correct(const DofVector                      &residual,
             const std::vector<ContactPoint<dim>> &points,
             const InterfaceForces                &multipliers,
             const std::vector<double>            &coefficients);
@@ -126,8 +124,8 @@ namespace Signorini
     }
 
     /** K^-1 force, as if there were no contact. */
-    dealii::Vector<double>
-    respond(const dealii::Vector<double> &force);
+    DofVector
+    respond(const DofVector &force);
 
     const InterfaceAlgorithm &
     algorithm() const
@@ -163,36 +161,36 @@ namespace Signorini
     InterfaceSolution
     solve_interface_problem(const std::vector<ContactPoint<dim>> &points,
                             const InterfaceForces                &multipliers,
-                            dealii::Vector<double> &reduced_force);
+                            InterfaceVector &reduced_force);
 
     // The stiffness of the interface itself: without springs, and with the
     // curvature of the gaps.
-    dealii::FullMatrix<double>
+    InterfaceMatrix
     interface_stiffness(const std::vector<ContactPoint<dim>> &points,
                         const InterfaceForces &multipliers) const;
 
     // Solves where that stiffness is not positive definite by itself.
     InterfaceSolution
-    solve_with_springs(const dealii::FullMatrix<double> &stiffness,
-                       const dealii::Vector<double>     &force,
-                       const InterfaceForces            &multipliers);
+    solve_with_springs(const InterfaceMatrix &stiffness,
+                       const InterfaceVector &force,
+                       const InterfaceForces &multipliers);
 
     // Springs where closed contacts hold the interface, at rest where these
     // would have it: as long as they stay closed, nothing changes.
     void
-    hold_closed_contacts(const InterfaceForces            &forces,
-                         const dealii::FullMatrix<double> &stiffness,
-                         std::vector<Spring>              &springs,
-                         std::vector<double>              &rests) const;
+    hold_closed_contacts(const InterfaceForces &forces,
+                         const InterfaceMatrix &stiffness,
+                         std::vector<Spring>   &springs,
+                         std::vector<double>   &rests) const;
 
     const SolidModel<dim>              &solid_;
     const ContactModel<dim>            &contact_;
     Timings                            &timings_;
     std::unique_ptr<InterfaceAlgorithm> algorithm_;
-    const dealii::SparseMatrix<double> *mass_;
+    const DofMatrix                    *mass_;
     bool                                may_lack_mass_;
     std::unique_ptr<CondensedSolver>    solver_;
-    dealii::SparseMatrix<double>        matrix_;
+    DofMatrix                           matrix_;
     bool                                is_factorised_;
     bool                                may_be_weak_; // static, not linear
     bool                                is_indefinite_;
@@ -205,7 +203,7 @@ namespace Signorini
     // that are not among them.
     std::vector<unsigned int> trailing_;
     std::vector<unsigned int> pins_;            // numbers in trailing_
-    dealii::Vector<double>    trailing_spring_; // at each of them, N/m
+    InterfaceVector           trailing_spring_; // at each of them, N/m
     std::vector<double>       mode_stiffness_;  // of what moves, N/m
     FreeModes                 free_modes_;
 

@@ -4,23 +4,22 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/dynamics/state.h>
 #include <signorini/dynamics/step_contact.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/solid_model.h>
 
-#include <deal.II/lac/sparse_matrix.h>
 
 namespace Signorini
 {
   /** Kinetic energy 1/2 V.M V of a state. */
   void
-  measure_kinetic_energy(const dealii::SparseMatrix<double> &mass,
-                         State                              &state);
+  measure_kinetic_energy(const DofMatrix &mass, State &state);
 
   /** Forces on the unknowns with given motion, that make it happen. N. A static
    * step has no @p mass: null. */
   template <int dim>
   void
   measure_support_forces(const SolidModel<dim>                &solid,
-                         const dealii::SparseMatrix<double>   *mass,
+                         const DofMatrix                      *mass,
                          const ContactModel<dim>              &contact,
                          const std::vector<ContactPoint<dim>> &points,
                          State                                &state);
@@ -31,11 +30,11 @@ namespace Signorini
    */
   template <int dim>
   void
-  measure_work(const SolidModel<dim>        &solid,
-               const StepContact<dim>       &contact,
-               const dealii::Vector<double> &support_force,
-               const State                  &old_state,
-               State                        &state);
+  measure_work(const SolidModel<dim>  &solid,
+               const StepContact<dim> &contact,
+               const DofVector        &support_force,
+               const State            &old_state,
+               State                  &state);
 } // namespace Signorini
 
 #endif

@@ -1,11 +1,10 @@
 #ifndef signorini_dynamics_free_modes_h
 #define signorini_dynamics_free_modes_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/dof_map.h>
+#include <signorini/variational_inequality/interface_types.h>
 #include <signorini/variational_inequality/sparse_row.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -33,8 +32,8 @@ namespace Signorini
      * @param stiffnesses of what moves, against a motion of single nodes, one
      * a mode, N/m
      */
-    FreeModes(const std::vector<dealii::Vector<double>> &modes,
-              const std::vector<double>                 &stiffnesses);
+    FreeModes(const std::vector<InterfaceVector> &modes,
+              const std::vector<double>          &stiffnesses);
 
     bool
     empty() const
@@ -48,7 +47,7 @@ namespace Signorini
      * @param dof_map those that it constrains will not do
      */
     static std::vector<unsigned int>
-    pins(std::vector<dealii::Vector<double>> modes, const DofMap &dof_map);
+    pins(std::vector<DofVector> modes, const DofMap &dof_map);
 
     /** A spring k q q^T, with k in N/m and q over the interface, 1. */
     struct Spring
@@ -66,8 +65,8 @@ namespace Signorini
 
   private:
     // Scaled for springs of 1 N/m: d_i . m_j = 1 if i = j, else 0.
-    std::vector<dealii::Vector<double>> modes_;
-    std::vector<dealii::Vector<double>> duals_;
+    std::vector<InterfaceVector> modes_;
+    std::vector<InterfaceVector> duals_;
   };
 } // namespace Signorini
 

@@ -2,9 +2,8 @@
 #define signorini_dynamics_momentum_h
 
 #include <signorini/dynamics/state.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/solid_model.h>
-
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <vector>
 
@@ -20,9 +19,9 @@ namespace Signorini
    */
   template <int dim>
   std::vector<BodyMotion>
-  body_motions(const SolidModel<dim>              &solid,
-               const dealii::SparseMatrix<double> &mass,
-               const State                        &state);
+  body_motions(const SolidModel<dim> &solid,
+               const DofMatrix       &mass,
+               const State           &state);
 } // namespace Signorini
 
 #endif

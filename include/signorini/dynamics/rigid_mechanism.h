@@ -2,6 +2,7 @@
 #define signorini_dynamics_rigid_mechanism_h
 
 #include <signorini/contact/contact_model.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <optional>
 #include <vector>
@@ -28,9 +29,9 @@ namespace Signorini
      * @param force F, N
      * The model must outlive the object.
      */
-    RigidMechanism(const ContactModel<dim>                   &contact,
-                   const std::vector<dealii::Vector<double>> &modes,
-                   const dealii::Vector<double>              &force);
+    RigidMechanism(const ContactModel<dim>      &contact,
+                   const std::vector<DofVector> &modes,
+                   const DofVector              &force);
 
     /** The first motion that no contact forces could balance, were all contacts
      * closed. */
@@ -41,9 +42,9 @@ namespace Signorini
     struct Approach
     {
       // Contacts that are closed in the end balance the loads.
-      bool                   is_balanced = false;
-      dealii::Vector<double> way;    // of all unknowns, m
-      InterfaceForces        forces; // of these contacts, N
+      bool            is_balanced = false;
+      DofVector       way;    // of all unknowns, m
+      InterfaceForces forces; // of these contacts, N
 
       // The motion that was not in balance at the beginning, if the bodies
       // went far without being stopped.
@@ -56,7 +57,7 @@ namespace Signorini
      * modes.
      */
     Approach
-    approach(const dealii::Vector<double> &start, const double time) const;
+    approach(const DofVector &start, const double time) const;
 
   private:
     // Contacts within a distance, and how they push.
@@ -73,12 +74,12 @@ namespace Signorini
             const double  largest_gap,
             const bool    with_friction) const;
 
-    dealii::Vector<double>
+    DofVector
     motion(const std::vector<double> &shares) const;
 
-    const ContactModel<dim>                   &contact_;
-    const std::vector<dealii::Vector<double>> &modes_;
-    std::vector<double>                        load_; // m_i . F
+    const ContactModel<dim>      &contact_;
+    const std::vector<DofVector> &modes_;
+    std::vector<double>           load_; // m_i . F
   };
 } // namespace Signorini
 

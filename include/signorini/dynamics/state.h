@@ -1,9 +1,8 @@
 #ifndef signorini_dynamics_state_h
 #define signorini_dynamics_state_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/variational_inequality/interface_problem.h>
-
-#include <deal.II/lac/vector.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
@@ -74,19 +73,19 @@ namespace Signorini
    */
   struct State
   {
-    double                 time = 0.; // s
-    unsigned int           step = 0;
-    dealii::Vector<double> displacement;      // U, m
-    dealii::Vector<double> velocity;          // V, m/s; static: of the step
-    dealii::Vector<double> acceleration;      // A, m/s^2
-    dealii::Vector<double> internal_force;    // F_int(U), N
-    dealii::Vector<double> external_force;    // F(t), N
-    dealii::Vector<double> support_force;     // at given unknowns, N
-    std::vector<double>    history;           // of all material points
-    InterfaceForces        contact_forces;    // of each candidate, N
-    std::vector<double>    gaps;              // g_k of each candidate, m
-    double                 contact_debt = 0.; // work still to be returned, J
-    EnergyLedger           energy;
+    double              time = 0.; // s
+    unsigned int        step = 0;
+    DofVector           displacement;      // U, m
+    DofVector           velocity;          // V, m/s; static: of the step
+    DofVector           acceleration;      // A, m/s^2
+    DofVector           internal_force;    // F_int(U), N
+    DofVector           external_force;    // F(t), N
+    DofVector           support_force;     // at given unknowns, N
+    std::vector<double> history;           // of all material points
+    InterfaceForces     contact_forces;    // of each candidate, N
+    std::vector<double> gaps;              // g_k of each candidate, m
+    double              contact_debt = 0.; // work still to be returned, J
+    EnergyLedger        energy;
 
     // Nodes without mass, by their first unknown, in ascending order.
     std::vector<unsigned int> massless_nodes;
@@ -96,7 +95,7 @@ namespace Signorini
 
     // F - F_int of nodes that lost their mass at the start of the step, N. It
     // went with their mass. Empty at the end of a step.
-    dealii::Vector<double> handed_over;
+    DofVector handed_over;
 
     // Of the bodies and of the free rigid bodies, in a dynamic run.
     std::vector<BodyMotion> motions;

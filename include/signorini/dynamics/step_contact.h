@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/dynamics/state.h>
+#include <signorini/linear_algebra/types.h>
 
 #include <vector>
 
@@ -74,7 +75,7 @@ namespace Signorini
     const std::vector<ContactPoint<dim>>  old_points_;
     const State                          &state_;
     const std::vector<ContactPoint<dim>> &points_;
-    dealii::Vector<double>                motion_; // m
+    DofVector                             motion_; // m
   };
 } // namespace Signorini
 

@@ -7,6 +7,7 @@
 #include <signorini/dynamics/state.h>
 #include <signorini/dynamics/step_failed.h>
 #include <signorini/dynamics/step_scheme.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/output/timings.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/time/step.h>
@@ -52,9 +53,9 @@ namespace Signorini
      * @param history what all points remember
      */
     State
-    initial_state(const dealii::Vector<double> &displacement,
-                  const dealii::Vector<double> &velocity,
-                  const std::vector<double>    &history);
+    initial_state(const DofVector           &displacement,
+                  const DofVector           &velocity,
+                  const std::vector<double> &history);
 
     /**
      * The state at the end of the step, which begins where the old state is.
@@ -198,25 +199,25 @@ namespace Signorini
                        State       &state) const;
 
     void
-    set_rigid_residual(const State            &old_state,
-                       const State            &state,
-                       dealii::Vector<double> &residual) const;
+    set_rigid_residual(const State &old_state,
+                       const State &state,
+                       DofVector   &residual) const;
 
     // Without contact forces.
-    dealii::Vector<double>
+    DofVector
     residual(const State &old_state, const State &state);
 
     // Sets state.residual: the largest unbalanced force beyond rounding over
     // the largest force.
     void
     measure_balance(const double                          step_size,
-                    dealii::Vector<double>                residual,
+                    DofVector                             residual,
                     const std::vector<ContactPoint<dim>> &points,
                     const InterfaceForces                &multipliers,
                     State                                &state);
 
     // To what the forces of an iterate are known, N.
-    dealii::Vector<double>
+    DofVector
     force_rounding(const double step_size) const;
 
     // The largest force, N.
@@ -271,7 +272,7 @@ namespace Signorini
     Iterate
     improve(const State                          &old_state,
             const double                          step_size,
-            const dealii::Vector<double>         &residual,
+            const DofVector                      &residual,
             const std::vector<ContactPoint<dim>> &points,
             const Iterate                        &iterate,
             State                                &state);
@@ -291,7 +292,7 @@ namespace Signorini
     void
     finish(const State                          &old_state,
            const double                          step_size,
-           const dealii::Vector<double>         &residual,
+           const DofVector                      &residual,
            const std::vector<ContactPoint<dim>> &points,
            const std::vector<ContactPoint<dim>> &acting,
            const Iterate                        &iterate,
@@ -303,9 +304,9 @@ namespace Signorini
                           State       &state) const;
 
     // Over the step, of given unknowns, N.
-    dealii::Vector<double>
+    DofVector
     mean_support_force(const State                          &old_state,
-                       const dealii::Vector<double>         &residual,
+                       const DofVector                      &residual,
                        const std::vector<ContactPoint<dim>> &points,
                        const State                          &state) const;
 
@@ -339,16 +340,16 @@ namespace Signorini
 
     // Absolute, of each unknown, since the step began, m: what corrections are
     // rounded against.
-    dealii::Vector<double> largest_displacement_;
-    double                 rounding_multiple_; // largest residual, 1
+    DofVector largest_displacement_;
+    double    rounding_multiple_; // largest residual, 1
 
     // Of the last iterate of a solid that is not linear.
-    dealii::SparseMatrix<double> tangent_;
-    dealii::Vector<double>       tangent_displacement_; // where it is
-    dealii::Vector<double>       mean_internal_force_;  // if energy is kept, N
-    unsigned int                 section_residual_;
-    unsigned int                 section_assembly_;
-    unsigned int                 section_contact_;
+    DofMatrix    tangent_;
+    DofVector    tangent_displacement_; // where it is
+    DofVector    mean_internal_force_;  // if energy is kept, N
+    unsigned int section_residual_;
+    unsigned int section_assembly_;
+    unsigned int section_contact_;
   };
 } // namespace Signorini
 

@@ -3,6 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/solid_model.h>
 
 #include <memory>
@@ -36,7 +37,7 @@ namespace Signorini
     const SolidModel<dim>                              &solid,
     const ContactModel<dim>                            &contact,
     const std::vector<std::unique_ptr<RigidBody<dim>>> &rigid_bodies,
-    const dealii::Vector<double>                       &displacement,
+    const DofVector                                    &displacement,
     const double                                        time);
 } // namespace Signorini
 

@@ -3,6 +3,8 @@
 
 #include <signorini/linear_algebra/condensed_solver.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/linear_algebra/types.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 namespace Signorini
 {
@@ -20,17 +22,17 @@ namespace Signorini
             const std::vector<unsigned int> &interface) override;
 
     void
-    factorise(const dealii::SparseMatrix<double> &matrix) override;
+    factorise(const DofMatrix &matrix) override;
 
     InterfaceStiffness
     interface_stiffness() const override;
 
-    dealii::Vector<double>
-    condense(const dealii::Vector<double> &residual) override;
+    InterfaceVector
+    condense(const DofVector &residual) override;
 
     void
-    expand(const dealii::Vector<double> &interface_displacement,
-           dealii::Vector<double>       &displacement) override;
+    expand(const InterfaceVector &interface_displacement,
+           DofVector             &displacement) override;
 
     const SparseCholesky &
     factorisation() const
@@ -39,10 +41,10 @@ namespace Signorini
     }
 
   private:
-    SparseCholesky         cholesky_;
-    unsigned int           n_interface_ = 0;
-    InterfaceStiffness     trailing_;      // for expand()
-    dealii::Vector<double> half_solution_; // L^-1 P r
+    SparseCholesky     cholesky_;
+    unsigned int       n_interface_ = 0;
+    InterfaceStiffness trailing_;      // for expand()
+    DofVector          half_solution_; // L^-1 P r
   };
 } // namespace Signorini
 

@@ -1,10 +1,9 @@
 #ifndef signorini_linear_algebra_condensed_solver_h
 #define signorini_linear_algebra_condensed_solver_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/variational_inequality/interface_stiffness.h>
-
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/vector.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <vector>
 
@@ -34,7 +33,7 @@ namespace Signorini
 
     /** @throws NotPositiveDefinite, ComputationError. */
     virtual void
-    factorise(const dealii::SparseMatrix<double> &matrix) = 0;
+    factorise(const DofMatrix &matrix) = 0;
 
     /** The Schur complement S = K_cc - K_ci K_ii^-1 K_ic = L L^T. */
     virtual InterfaceStiffness
@@ -44,13 +43,13 @@ namespace Signorini
      * Takes a residual r over all unknowns and returns L^-1 of its condensed
      * part r_c - K_ci K_ii^-1 r_i. The next expand() belongs to it.
      */
-    virtual dealii::Vector<double>
-    condense(const dealii::Vector<double> &residual) = 0;
+    virtual InterfaceVector
+    condense(const DofVector &residual) = 0;
 
     /** du over all unknowns, from the interface part du_c. */
     virtual void
-    expand(const dealii::Vector<double> &interface_displacement,
-           dealii::Vector<double>       &displacement) = 0;
+    expand(const InterfaceVector &interface_displacement,
+           DofVector             &displacement) = 0;
   };
 } // namespace Signorini
 

@@ -1,9 +1,9 @@
 #ifndef signorini_linear_algebra_sparse_cholesky_h
 #define signorini_linear_algebra_sparse_cholesky_h
 
-#include <deal.II/lac/sparse_matrix.h>
+#include <signorini/linear_algebra/types.h>
+
 #include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 
 #include <memory>
 #include <vector>
@@ -45,7 +45,7 @@ namespace Signorini
      * again. @throws NotPositiveDefinite.
      */
     void
-    factorise(const dealii::SparseMatrix<double> &matrix);
+    factorise(const DofMatrix &matrix);
 
     /** The unknowns in the order of the factor (free ones only). */
     const std::vector<unsigned int> &
@@ -53,15 +53,15 @@ namespace Signorini
 
     /** x <- L^-1 x, for x in the order of the factor. */
     void
-    forward_substitution(dealii::Vector<double> &x) const;
+    forward_substitution(DofVector &x) const;
 
     /** x <- L^-T x, for x in the order of the factor. */
     void
-    backward_substitution(dealii::Vector<double> &x) const;
+    backward_substitution(DofVector &x) const;
 
     /** x <- K^-1 b for vectors over all unknowns; fixed ones get zero. */
     void
-    solve(dealii::Vector<double> &x, const dealii::Vector<double> &b) const;
+    solve(DofVector &x, const DofVector &b) const;
 
     /**
      * The lower triangular block of L that belongs to the trailing unknowns,

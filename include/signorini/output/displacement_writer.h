@@ -1,11 +1,11 @@
 #ifndef signorini_output_displacement_writer_h
 #define signorini_output_displacement_writer_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/displacement_files.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
-#include <deal.II/lac/vector.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -26,7 +26,7 @@ namespace Signorini
     const dealii::Mapping<dim>    *mapping     = nullptr;
 
     /** Unit: m. */
-    const dealii::Vector<double> *displacement = nullptr;
+    const DofVector *displacement = nullptr;
   };
 
   /**

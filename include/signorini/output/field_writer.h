@@ -1,10 +1,10 @@
 #ifndef signorini_output_field_writer_h
 #define signorini_output_field_writer_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/output/pvd_file.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/vector.h>
 
 #include <string>
 #include <utility>
@@ -22,15 +22,14 @@ namespace Signorini
     const dealii::DoFHandler<dim> *dof_handler = nullptr;
 
     /** Unit: m, and m/s. The velocity is left out when it is null. */
-    const dealii::Vector<double> *displacement = nullptr;
-    const dealii::Vector<double> *velocity     = nullptr;
+    const DofVector *displacement = nullptr;
+    const DofVector *velocity     = nullptr;
 
     /** Of the nodal fields, on the same mesh; unused when there are none. */
     const dealii::DoFHandler<dim> *scalar_dof_handler = nullptr;
 
     /** Name and nodal values, for instance "von_mises". */
-    std::vector<std::pair<std::string, const dealii::Vector<double> *>>
-      nodal_fields;
+    std::vector<std::pair<std::string, const DofVector *>> nodal_fields;
   };
 
   /**

@@ -2,6 +2,7 @@
 #define signorini_run_overclosure_h
 
 #include <signorini/contact/contact_model.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/run/pair_parameters.h>
 
 #include <string>
@@ -16,7 +17,7 @@ namespace Signorini
   template <int dim>
   void
   treat_overclosure(const std::vector<PairParameters> &parameters,
-                    const dealii::Vector<double>      &displacement,
+                    const DofVector                   &displacement,
                     ContactModel<dim>                 &contact);
 
   /**
@@ -26,8 +27,8 @@ namespace Signorini
    */
   template <int dim>
   std::string
-  describe_pairs(const ContactModel<dim>      &contact,
-                 const dealii::Vector<double> &displacement);
+  describe_pairs(const ContactModel<dim> &contact,
+                 const DofVector         &displacement);
 } // namespace Signorini
 
 #endif

@@ -2,6 +2,7 @@
 #define signorini_run_overlap_watch_h
 
 #include <signorini/contact/overlap.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/run/problem.h>
 
 #include <optional>
@@ -96,7 +97,7 @@ namespace Signorini
     std::vector<double>                allowed_; // on purpose, m
 
     // Where all were when it was last looked.
-    dealii::Vector<double>           displacement_;
+    DofVector                        displacement_;
     std::vector<RigidPlacement<dim>> placements_;
     const double                     shortest_piece_; // m
   };

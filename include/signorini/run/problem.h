@@ -4,6 +4,7 @@
 #include <signorini/contact/contact_model.h>
 #include <signorini/contact/rigid_body.h>
 #include <signorini/input/unread_entries.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/run/adaptivity_parameters.h>
 #include <signorini/run/contact_parameters.h>
 #include <signorini/run/output_parameters.h>
@@ -40,8 +41,8 @@ namespace Signorini
     std::vector<std::unique_ptr<RigidBody<dim>>> rigid_bodies;
     std::unique_ptr<SolidModel<dim>>             solid;
     std::unique_ptr<ContactModel<dim>>           contact;
-    dealii::Vector<double>                       initial_displacement; // m
-    dealii::Vector<double>                       initial_velocity;     // m/s
+    DofVector                                    initial_displacement; // m
+    DofVector                                    initial_velocity;     // m/s
 
     /**
      * Makes the objects from a handler into which the file was applied.

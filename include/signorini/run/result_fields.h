@@ -2,6 +2,7 @@
 #define signorini_run_result_fields_h
 
 #include <signorini/dynamics/state.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/output/displacement_writer.h>
 #include <signorini/output/field_lookup.h>
 #include <signorini/output/field_writer.h>
@@ -55,7 +56,7 @@ namespace Signorini
     std::vector<std::string>
     stress_names() const;
 
-    std::map<std::string, dealii::Vector<double>>
+    std::map<std::string, DofVector>
     stresses(const unsigned int body) const;
 
     // Of the whole body if the boundary is empty.

@@ -1,6 +1,7 @@
 #ifndef signorini_run_small_strain_watch_h
 #define signorini_run_small_strain_watch_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/solid_model.h>
 #include <signorini/solid/strain_range.h>
 
@@ -27,7 +28,7 @@ namespace Signorini
      * @throws ComputationError with the cell where one is turned inside out.
      */
     std::string
-    look(const dealii::Vector<double> &displacement, const double time);
+    look(const DofVector &displacement, const double time);
 
     /** The largest that was seen in words, if it was too much; else empty. */
     std::string

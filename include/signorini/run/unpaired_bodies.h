@@ -1,6 +1,7 @@
 #ifndef signorini_run_unpaired_bodies_h
 #define signorini_run_unpaired_bodies_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/run/problem.h>
 
 #include <string>
@@ -14,8 +15,7 @@ namespace Signorini
    */
   template <int dim>
   std::string
-  unpaired_overlaps(const Problem<dim>           &problem,
-                    const dealii::Vector<double> &displacement);
+  unpaired_overlaps(const Problem<dim> &problem, const DofVector &displacement);
 } // namespace Signorini
 
 #endif

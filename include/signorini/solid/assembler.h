@@ -1,12 +1,11 @@
 #ifndef signorini_solid_assembler_h
 #define signorini_solid_assembler_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -15,19 +14,19 @@ namespace Signorini
   /** What the bodies answer to a displacement. */
   struct SolidResponse
   {
-    dealii::Vector<double> internal_force;     // of all unknowns, N
-    dealii::Vector<double> mean_force;         // over the step, N, if wanted
-    std::vector<double>    history;            // of the points of all bodies
-    double                 stored_energy = 0.; // J
-    double                 plastic_work  = 0.; // since the start, J
+    DofVector           internal_force;     // of all unknowns, N
+    DofVector           mean_force;         // over the step, N, if wanted
+    std::vector<double> history;            // of the points of all bodies
+    double              stored_energy = 0.; // J
+    double              plastic_work  = 0.; // since the start, J
   };
 
   /** A step of the bodies to a displacement. */
   struct SolidStep
   {
-    const dealii::Vector<double> &displacement;        // of all unknowns, m
-    double                        size           = 0.; // s
-    const dealii::Vector<double> *displacement_n = nullptr; // at its start, m
+    const DofVector &displacement;             // of all unknowns, m
+    double           size           = 0.;      // s
+    const DofVector *displacement_n = nullptr; // at its start, m
   };
 
   /** Numbers that the points of a body remember between two steps. */
@@ -59,7 +58,7 @@ namespace Signorini
                const dealii::ArrayView<const double>    history_n,
                const dealii::ArrayView<double>          history,
                SolidResponse                           &response,
-               dealii::SparseMatrix<double>            *stiffness = nullptr,
+               DofMatrix                               *stiffness = nullptr,
                const double                             factor    = 1.);
 
   /** What is at the points of all cells of a body, cell after cell. */
@@ -76,7 +75,7 @@ namespace Signorini
   template <int dim>
   PointValues
   point_values(const Body<dim>                      &body,
-               const dealii::Vector<double>         &displacement,
+               const DofVector                      &displacement,
                const dealii::ArrayView<const double> history);
 
   /**
@@ -89,7 +88,7 @@ namespace Signorini
            const dealii::AffineConstraints<double> &constraints,
            const bool                               lump,
            const double                             factor,
-           dealii::SparseMatrix<double>            &mass);
+           DofMatrix                               &mass);
 } // namespace Signorini
 
 #endif

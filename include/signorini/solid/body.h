@@ -5,6 +5,7 @@
 #include <signorini/geometry/refinement_passes.h>
 #include <signorini/input/entry_condition.h>
 #include <signorini/input/space_time_function.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/material/material.h>
 #include <signorini/solid/formulation.h>
 
@@ -191,8 +192,8 @@ namespace Signorini
     node_near(const dealii::Point<dim> &point, const std::string &entry) const;
 
     /** The body's part of a vector over all unknowns. */
-    dealii::Vector<double>
-    extract(const dealii::Vector<double> &global) const;
+    DofVector
+    extract(const DofVector &global) const;
 
     /** volume_factor() of this body: thickness, 2 pi r, or 1. */
     double

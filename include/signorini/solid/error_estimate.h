@@ -1,6 +1,7 @@
 #ifndef signorini_solid_error_estimate_h
 #define signorini_solid_error_estimate_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <vector>
@@ -20,8 +21,7 @@ namespace Signorini
    */
   template <int dim>
   std::vector<double>
-  estimated_errors(const Body<dim>              &body,
-                   const dealii::Vector<double> &displacement);
+  estimated_errors(const Body<dim> &body, const DofVector &displacement);
 } // namespace Signorini
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <signorini/input/entry_condition.h>
 #include <signorini/input/space_time_function.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <string>
@@ -43,7 +44,7 @@ namespace Signorini
      * the pressure times the outward normal.
      */
     void
-    add_forces(const double time, dealii::Vector<double> &forces) const;
+    add_forces(const double time, DofVector &forces) const;
 
     /** True if some loads depend on the displacement: with finite strains
      * pressures stay normal to the surface and grow with it, and the
@@ -57,9 +58,9 @@ namespace Signorini
      * @param displacement of all unknowns, m
      */
     void
-    add_following_forces(const double                  time,
-                         const dealii::Vector<double> &displacement,
-                         dealii::Vector<double>       &forces) const;
+    add_following_forces(const double     time,
+                         const DofVector &displacement,
+                         DofVector       &forces) const;
 
   private:
     using Function = SpaceTimeFunction<dim>;
@@ -111,14 +112,14 @@ namespace Signorini
     // Both: the loads that keep their place, or, with a displacement, those
     // that follow the body.
     void
-    add_volume_forces(const double                  time,
-                      const dealii::Vector<double> *displacement,
-                      dealii::Vector<double>       &forces) const;
+    add_volume_forces(const double     time,
+                      const DofVector *displacement,
+                      DofVector       &forces) const;
 
     void
-    add_boundary_forces(const double                  time,
-                        const dealii::Vector<double> *displacement,
-                        dealii::Vector<double>       &forces) const;
+    add_boundary_forces(const double     time,
+                        const DofVector *displacement,
+                        DofVector       &forces) const;
 
     const Body<dim>          *body_;
     std::vector<Function>     body_forces_;   // N/m^3

@@ -1,10 +1,10 @@
 #ifndef signorini_solid_mass_moments_h
 #define signorini_solid_mass_moments_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/mass_redistribution.h>
 
-#include <deal.II/lac/sparse_matrix.h>
 
 namespace Signorini
 {
@@ -29,10 +29,10 @@ namespace Signorini
    */
   template <int dim>
   bool
-  keep_moments(const Body<dim>                    &body,
-               const dealii::SparseMatrix<double> &original,
-               const MassRedistribution           &redistribution,
-               dealii::SparseMatrix<double>       &mass);
+  keep_moments(const Body<dim>          &body,
+               const DofMatrix          &original,
+               const MassRedistribution &redistribution,
+               DofMatrix                &mass);
 } // namespace Signorini
 
 #endif

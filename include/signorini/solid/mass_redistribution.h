@@ -1,12 +1,11 @@
 #ifndef signorini_solid_mass_redistribution_h
 #define signorini_solid_mass_redistribution_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/dof_map.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <map>
 #include <utility>
@@ -71,25 +70,24 @@ namespace Signorini
 
     /** result = P^T A P, on a pattern made by extend(). */
     void
-    congruence(const dealii::SparseMatrix<double> &matrix,
-               dealii::SparseMatrix<double>       &result) const;
+    congruence(const DofMatrix &matrix, DofMatrix &result) const;
 
     /** Moves the mass: clears the rows and columns of the massless unknowns. */
     void
-    move_mass(dealii::SparseMatrix<double> &mass) const;
+    move_mass(DofMatrix &mass) const;
 
     /** v <- P v: the massless nodes follow their neighbours. */
     void
-    extrapolate(dealii::Vector<double> &vector) const;
+    extrapolate(DofVector &vector) const;
 
     /** Puts zero at the massless unknowns. */
     void
-    clear_massless(dealii::Vector<double> &vector) const;
+    clear_massless(DofVector &vector) const;
 
     /** f <- P^T f at the unknown of a massless node: the force goes to the
      * nodes that carry its mass. */
     void
-    hand_over(const unsigned int massless, dealii::Vector<double> &force) const;
+    hand_over(const unsigned int massless, DofVector &force) const;
 
   private:
     std::map<unsigned int, Row> rows_;      // P

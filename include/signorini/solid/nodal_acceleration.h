@@ -1,10 +1,8 @@
 #ifndef signorini_solid_nodal_acceleration_h
 #define signorini_solid_nodal_acceleration_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/dof_map.h>
-
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -19,10 +17,10 @@ namespace Signorini
    * @throws dealii::SolverControl::NoConvergence.
    */
   void
-  accelerate(const dealii::SparseMatrix<double> &mass,
-             const DofMap                       &dof_map,
-             const dealii::Vector<double>       &force,
-             dealii::Vector<double>             &acceleration);
+  accelerate(const DofMatrix &mass,
+             const DofMap    &dof_map,
+             const DofVector &force,
+             DofVector       &acceleration);
 } // namespace Signorini
 
 #endif

@@ -1,10 +1,11 @@
 #ifndef signorini_solid_nodal_mesh_h
 #define signorini_solid_nodal_mesh_h
 
+#include <signorini/linear_algebra/types.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -55,7 +56,7 @@ namespace Signorini
   template <int dim>
   std::vector<dealii::Tensor<1, dim>>
   nodal_values(const dealii::DoFHandler<dim> &dof_handler,
-               const dealii::Vector<double>  &values);
+               const DofVector               &values);
 } // namespace Signorini
 
 #endif

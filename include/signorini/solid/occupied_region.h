@@ -1,6 +1,7 @@
 #ifndef signorini_solid_occupied_region_h
 #define signorini_solid_occupied_region_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/nodal_interpolation.h>
 #include <signorini/solid/surface_pieces.h>
@@ -18,8 +19,7 @@ namespace Signorini
   class OccupiedRegion
   {
   public:
-    OccupiedRegion(const Body<dim>              &body,
-                   const dealii::Vector<double> &displacement);
+    OccupiedRegion(const Body<dim> &body, const DofVector &displacement);
 
     /** Distance of a point inside from the boundary, m; none outside. */
     std::optional<double>

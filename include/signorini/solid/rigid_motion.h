@@ -1,6 +1,7 @@
 #ifndef signorini_solid_rigid_motion_h
 #define signorini_solid_rigid_motion_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/supports.h>
 
 #include <string>
@@ -11,8 +12,8 @@ namespace Signorini
   /** A motion of a connected part of a body as a whole. */
   struct RigidMode
   {
-    std::string            name;   // in words
-    dealii::Vector<double> motion; // of all unknowns, 1
+    std::string name;   // in words
+    DofVector   motion; // of all unknowns, 1
   };
 
   /**
@@ -26,7 +27,7 @@ namespace Signorini
   template <int dim>
   std::vector<RigidMode>
   free_rigid_modes(const Body<dim>                     &body,
-                   const dealii::Vector<double>        &displacement,
+                   const DofVector                     &displacement,
                    const DofMap                        &dof_map,
                    const std::vector<SlidingNode<dim>> &sliding_nodes = {});
 } // namespace Signorini

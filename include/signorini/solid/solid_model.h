@@ -1,6 +1,7 @@
 #ifndef signorini_solid_solid_model_h
 #define signorini_solid_solid_model_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/assembler.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/dof_map.h>
@@ -10,9 +11,7 @@
 #include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/supports.h>
 
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 
 #include <functional>
 #include <memory>
@@ -51,9 +50,9 @@ namespace Signorini
     /** The mass matrix when some nodes have lost their mass. */
     struct RedistributedMass
     {
-      dealii::SparseMatrix<double> matrix;
-      MassRedistribution           redistribution;
-      std::vector<std::string>     changed_bodies; // in a moment of mass
+      DofMatrix                matrix;
+      MassRedistribution       redistribution;
+      std::vector<std::string> changed_bodies; // in a moment of mass
     };
 
     /** @param rigid_body_dofs counted after those of the bodies */
@@ -112,14 +111,14 @@ namespace Signorini
     }
 
     /** At the start, without displacement. */
-    const dealii::SparseMatrix<double> &
+    const DofMatrix &
     stiffness() const
     {
       return stiffness_;
     }
 
     /** M, with the mass of all nodes. */
-    const dealii::SparseMatrix<double> &
+    const DofMatrix &
     mass() const
     {
       return mass_;
@@ -132,7 +131,7 @@ namespace Signorini
 
     /** a M + b K and the dashpots of absorbing boundaries; empty when no body
      * is damped. */
-    const dealii::SparseMatrix<double> &
+    const DofMatrix &
     damping() const
     {
       return damping_;
@@ -151,7 +150,7 @@ namespace Signorini
      * @param displacement where the bodies are, m
      */
     std::vector<RigidMode>
-    free_modes(const dealii::Vector<double> &displacement) const;
+    free_modes(const DofVector &displacement) const;
 
     /** "the node (POINT) of body NAME", or "a rigid body". */
     std::string
@@ -171,9 +170,9 @@ namespace Signorini
      * @throws MaterialFailure
      */
     SolidResponse
-    respond(const SolidStep              &step,
-            const std::vector<double>    &history_n,
-            dealii::SparseMatrix<double> *tangent = nullptr) const;
+    respond(const SolidStep           &step,
+            const std::vector<double> &history_n,
+            DofMatrix                 *tangent = nullptr) const;
 
     /**
      * To what internal forces are known, N: machine precision times
@@ -181,8 +180,8 @@ namespace Signorini
      * size of the cells around, they are those of the deformation gradient
      * 1 + grad U, where it is formed.
      */
-    dealii::Vector<double>
-    force_rounding(const dealii::Vector<double> &displacement) const;
+    DofVector
+    force_rounding(const DofVector &displacement) const;
 
     /** The part of the histories of all bodies that is that of body @p b. */
     dealii::ArrayView<const double>
@@ -190,9 +189,8 @@ namespace Signorini
 
     /** F(t, U), N; at given unknowns the load on the support. The displacement
      * matters with finite strains only. */
-    const dealii::Vector<double> &
-    external_force(const double                  time,
-                   const dealii::Vector<double> &displacement) const;
+    const DofVector &
+    external_force(const double time, const DofVector &displacement) const;
 
     /** True if external_force() depends on the displacement. */
     bool
@@ -203,14 +201,13 @@ namespace Signorini
 
     /** Given motions at this time, and hanging nodes after their masters. */
     void
-    apply_supports(const double            time,
-                   dealii::Vector<double> &displacement) const;
+    apply_supports(const double time, DofVector &displacement) const;
 
     void
-    apply_support_rates(const double            time,
-                        const double            step_size,
-                        dealii::Vector<double> &velocity,
-                        dealii::Vector<double> &acceleration) const;
+    apply_support_rates(const double time,
+                        const double step_size,
+                        DofVector   &velocity,
+                        DofVector   &acceleration) const;
 
     /**
      * Static work of the loads at t = end: the stiffness |R|^2/(F.u) of the
@@ -238,27 +235,27 @@ namespace Signorini
     void
     add_initial_stiffness(
       const std::function<double(const Body<dim> &)> &factor,
-      dealii::SparseMatrix<double>                   &matrix) const;
+      DofMatrix                                      &matrix) const;
 
-    std::vector<Part>            parts_;
-    std::vector<RigidBodyDof>    rigid_body_dofs_;
-    DofMap                       dof_map_;
-    MassRedistribution           undamped_; // all that may touch
-    dealii::SparsityPattern      sparsity_;
-    dealii::SparseMatrix<double> stiffness_;
-    dealii::Vector<double>       cell_size_; // around each unknown, m
-    dealii::SparseMatrix<double> mass_;
-    dealii::SparseMatrix<double> damping_;
-    bool                         is_linear_;
-    std::vector<unsigned int>    first_history_; // of each body, and end
-    bool                         loads_vary_;
-    bool                         loads_follow_;
-    bool                         supports_are_fixed_;
+    std::vector<Part>         parts_;
+    std::vector<RigidBodyDof> rigid_body_dofs_;
+    DofMap                    dof_map_;
+    MassRedistribution        undamped_; // all that may touch
+    dealii::SparsityPattern   sparsity_;
+    DofMatrix                 stiffness_;
+    DofVector                 cell_size_; // around each unknown, m
+    DofMatrix                 mass_;
+    DofMatrix                 damping_;
+    bool                      is_linear_;
+    std::vector<unsigned int> first_history_; // of each body, and end
+    bool                      loads_vary_;
+    bool                      loads_follow_;
+    bool                      supports_are_fixed_;
 
     // The forces last asked for, and their time.
-    mutable double                 force_time_;
-    mutable dealii::Vector<double> force_;           // without what follows
-    mutable dealii::Vector<double> following_force_; // all, if some follow
+    mutable double    force_time_;
+    mutable DofVector force_;           // without what follows
+    mutable DofVector following_force_; // all, if some follow
   };
 } // namespace Signorini
 

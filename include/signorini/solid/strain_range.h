@@ -1,6 +1,7 @@
 #ifndef signorini_solid_strain_range_h
 #define signorini_solid_strain_range_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <vector>
@@ -41,12 +42,11 @@ namespace Signorini
     explicit StrainRange(const Body<dim> &body);
 
     StrainExtremes<dim>
-    measure(const dealii::Vector<double> &displacement) const;
+    measure(const DofVector &displacement) const;
 
   private:
     bool
-    is_moved(const unsigned int            cell,
-             const dealii::Vector<double> &displacement) const;
+    is_moved(const unsigned int cell, const DofVector &displacement) const;
 
     const Body<dim>          *body_;
     std::vector<double>       shortest_edges_; // of the cells, m

@@ -1,6 +1,7 @@
 #ifndef signorini_solid_stress_recovery_h
 #define signorini_solid_stress_recovery_h
 
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -44,7 +45,7 @@ namespace Signorini
      * @param history      of the points of the body, with this displacement
      */
     std::map<std::string, dealii::Vector<double>>
-    fields(const dealii::Vector<double>         &displacement,
+    fields(const DofVector                      &displacement,
            const dealii::ArrayView<const double> history) const;
 
     /** The nodes on a boundary, in the count of dof_handler(). */

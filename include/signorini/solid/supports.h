@@ -2,6 +2,7 @@
 #define signorini_solid_supports_h
 
 #include <signorini/input/space_time_function.h>
+#include <signorini/linear_algebra/types.h>
 #include <signorini/solid/body.h>
 #include <signorini/solid/displacement_history.h>
 #include <signorini/solid/dof_map.h>
@@ -54,8 +55,7 @@ namespace Signorini
 
     /** Writes the given displacements (m) at this time into a vector. */
     void
-    set_displacements(const double            time,
-                      dealii::Vector<double> &displacement) const;
+    set_displacements(const double time, DofVector &displacement) const;
 
     /**
      * Writes the velocities and accelerations of the given motion, by
@@ -63,10 +63,10 @@ namespace Signorini
      * would let them ring, since nothing follows from these values.
      */
     void
-    set_rates(const double            time,
-              const double            step_size,
-              dealii::Vector<double> &velocity,
-              dealii::Vector<double> &acceleration) const;
+    set_rates(const double time,
+              const double step_size,
+              DofVector   &velocity,
+              DofVector   &acceleration) const;
 
     /** True if every node stays where it is for all times. */
     bool
@@ -107,9 +107,9 @@ namespace Signorini
 
     // Displacement, velocity or acceleration of the global run.
     void
-    set_global(const double            time,
-               const unsigned int      derivative,
-               dealii::Vector<double> &vector) const;
+    set_global(const double       time,
+               const unsigned int derivative,
+               DofVector         &vector) const;
 
     // Reads `Sliding'.
     void

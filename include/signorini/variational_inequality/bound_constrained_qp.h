@@ -1,7 +1,8 @@
 #ifndef signorini_variational_inequality_bound_constrained_qp_h
 #define signorini_variational_inequality_bound_constrained_qp_h
 
-#include <deal.II/lac/full_matrix.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <vector>
 
@@ -59,10 +60,10 @@ namespace Signorini
    *   of d.
    */
   BoundConstrainedSolution
-  solve_bound_constrained_qp(const dealii::FullMatrix<double> &W,
-                             const std::vector<double>        &d,
-                             const std::vector<double>        &start,
-                             const double                      resolution = 0.);
+  solve_bound_constrained_qp(const InterfaceMatrix     &W,
+                             const std::vector<double> &d,
+                             const std::vector<double> &start,
+                             const double               resolution = 0.);
 } // namespace Signorini
 
 #endif

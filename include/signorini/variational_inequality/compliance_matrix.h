@@ -2,8 +2,7 @@
 #define signorini_variational_inequality_compliance_matrix_h
 
 #include <signorini/variational_inequality/dense_factor.h>
-
-#include <deal.II/lac/full_matrix.h>
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <functional>
 #include <vector>
@@ -38,7 +37,7 @@ namespace Signorini
     void
     set_rows(const std::vector<unsigned int> &row_numbers, const Entry &entry);
 
-    const dealii::FullMatrix<double> &
+    const InterfaceMatrix &
     matrix() const
     {
       return W;
@@ -52,9 +51,9 @@ namespace Signorini
     }
 
   private:
-    std::vector<unsigned int>  rows;
-    dealii::FullMatrix<double> W;
-    DenseFactor                kept_factor;
+    std::vector<unsigned int> rows;
+    InterfaceMatrix           W;
+    DenseFactor               kept_factor;
   };
 } // namespace Signorini
 

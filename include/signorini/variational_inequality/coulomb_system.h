@@ -1,7 +1,8 @@
 #ifndef signorini_variational_inequality_coulomb_system_h
 #define signorini_variational_inequality_coulomb_system_h
 
-#include <deal.II/lac/full_matrix.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <array>
 #include <limits>
@@ -42,11 +43,11 @@ namespace Signorini
      * @param compliance C, one number for each row.
      * @param length_scale the size of the numbers that cancelled in d.
      */
-    CoulombSystem(const dealii::FullMatrix<double> &W,
-                  std::vector<DualContact>          contacts,
-                  std::vector<double>               compliance,
-                  std::vector<double>               d,
-                  const double                      length_scale);
+    CoulombSystem(const InterfaceMatrix   &W,
+                  std::vector<DualContact> contacts,
+                  std::vector<double>      compliance,
+                  std::vector<double>      d,
+                  const double             length_scale);
 
     unsigned int
     size() const
@@ -133,12 +134,12 @@ namespace Signorini
     wrong_contacts(const std::vector<double> &x, const double tolerance) const;
 
   private:
-    const dealii::FullMatrix<double> &W;
-    std::vector<DualContact>          contacts;
-    std::vector<double>               compliance;
-    std::vector<double>               diagonal;
-    std::vector<double>               d;
-    double                            length_scale;
+    const InterfaceMatrix   &W;
+    std::vector<DualContact> contacts;
+    std::vector<double>      compliance;
+    std::vector<double>      diagonal;
+    std::vector<double>      d;
+    double                   length_scale;
   };
 
   /** What a method finds for a CoulombSystem. */

@@ -3,10 +3,9 @@
 
 #include <signorini/variational_inequality/compliance_matrix.h>
 #include <signorini/variational_inequality/interface_stiffness.h>
+#include <signorini/variational_inequality/interface_types.h>
 #include <signorini/variational_inequality/row_responses.h>
 #include <signorini/variational_inequality/sparse_row.h>
-
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -110,12 +109,12 @@ namespace Signorini
 
     /** The force @p r on the condensed interface, without contact forces. */
     void
-    set_force(const dealii::Vector<double> &r);
+    set_force(const InterfaceVector &r);
 
     /** The same, given as y = L^-1 r: the trailing part of the forward
      * substitution of the sparse factor. Saves two triangular products. */
     void
-    set_reduced_force(const dealii::Vector<double> &y);
+    set_reduced_force(const InterfaceVector &y);
 
     /** A response is kept if its row is the same as before under the same
      * index: list the contacts in the same order in every step. */
@@ -157,11 +156,11 @@ namespace Signorini
     }
 
     /** r, N. */
-    const dealii::Vector<double> &
+    const InterfaceVector &
     force() const;
 
     /** S^-1 r, m: the displacement if no contact force acted. */
-    const dealii::Vector<double> &
+    const InterfaceVector &
     free_displacement() const;
 
     /** G - A S^-1 r, m: the gaps if no contact force acted. */
@@ -170,7 +169,7 @@ namespace Signorini
 
     /** Gap of contact @p k after the displacement @p du, m. */
     double
-    gap_after(const unsigned int k, const dealii::Vector<double> &du) const
+    gap_after(const unsigned int k, const InterfaceVector &du) const
     {
       return contacts[k].gap - contacts[k].normal.dot(du);
     }
@@ -178,23 +177,23 @@ namespace Signorini
     /** Slip of contact @p k along its tangent @p j after the displacement
      * @p du, m. */
     double
-    slip_after(const unsigned int            k,
-               const unsigned int            j,
-               const dealii::Vector<double> &du) const
+    slip_after(const unsigned int     k,
+               const unsigned int     j,
+               const InterfaceVector &du) const
     {
       return contacts[k].slip[j] + contacts[k].tangents[j].dot(du);
     }
 
     /** S^-1 A_k^T, m/N: n numbers. A reference stays valid until the stiffness
      * or the contacts are set. */
-    const dealii::Vector<double> &
+    const InterfaceVector &
     response(const unsigned int k) const
     {
       return row_response(row_number(k, 0));
     }
 
     /** S^-1 T_kj^T, m/N, of the tangent @p j of contact @p k. */
-    const dealii::Vector<double> &
+    const InterfaceVector &
     tangent_response(const unsigned int k, const unsigned int j) const
     {
       return row_response(row_number(k, j + 1));
@@ -255,7 +254,7 @@ namespace Signorini
                                contact.tangents[number % 3 - 1];
     }
 
-    const dealii::Vector<double> &
+    const InterfaceVector &
     row_response(const unsigned int number) const;
 
     // The rows of the contacts @p list, as compliance_matrix() orders them.
@@ -267,13 +266,13 @@ namespace Signorini
     std::vector<InterfaceContact> contacts;
 
     // Which of r, y was given or is computed already.
-    mutable bool                   force_known         = false;
-    mutable bool                   reduced_force_known = false;
-    mutable dealii::Vector<double> condensed_force;
-    mutable dealii::Vector<double> reduced_force;
+    mutable bool            force_known         = false;
+    mutable bool            reduced_force_known = false;
+    mutable InterfaceVector condensed_force;
+    mutable InterfaceVector reduced_force;
 
-    mutable bool                   free_displacement_known = false;
-    mutable dealii::Vector<double> displacement_without_contact;
+    mutable bool            free_displacement_known = false;
+    mutable InterfaceVector displacement_without_contact;
 
     mutable bool                free_gaps_known = false;
     mutable std::vector<double> gaps_without_contact;
@@ -285,8 +284,8 @@ namespace Signorini
   /** What an algorithm finds. */
   struct InterfaceSolution
   {
-    dealii::Vector<double> displacement; // du, m
-    InterfaceForces        forces;
+    InterfaceVector displacement; // du, m
+    InterfaceForces forces;
 
     // Whether each contact slips: its friction is at the bound and its slip is
     // more than the algorithm leaves to one that sticks.

@@ -1,8 +1,8 @@
 #ifndef signorini_variational_inequality_interface_stiffness_h
 #define signorini_variational_inequality_interface_stiffness_h
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <memory>
 #include <vector>
@@ -38,7 +38,7 @@ namespace Signorini
      * @throws ComputationError if it is not positive definite.
      */
     static InterfaceStiffness
-    from_matrix(dealii::FullMatrix<double> matrix);
+    from_matrix(InterfaceMatrix matrix);
 
     unsigned int
     size() const
@@ -48,16 +48,16 @@ namespace Signorini
 
     /** x <- S x. */
     void
-    multiply(dealii::Vector<double> &x) const;
+    multiply(InterfaceVector &x) const;
 
     /** x <- |L| |L^T| |x|: times the machine precision the size of the rounding
      * in S x, and in S^-1 times a force [Higham2002, theorem 10.4]. */
     void
-    multiply_absolute(dealii::Vector<double> &x) const;
+    multiply_absolute(InterfaceVector &x) const;
 
     /** x <- S^-1 x. */
     void
-    solve(dealii::Vector<double> &x) const;
+    solve(InterfaceVector &x) const;
 
     /** B <- S^-1 B for n x @p n_columns numbers, stored by columns. */
     void
@@ -66,20 +66,20 @@ namespace Signorini
 
     /** x <- L x. */
     void
-    multiply_factor(dealii::Vector<double> &x) const;
+    multiply_factor(InterfaceVector &x) const;
 
     /** x <- L^T x: what takes the place of the condensed force before the
      * backward substitution of the sparse factor. */
     void
-    multiply_transposed_factor(dealii::Vector<double> &x) const;
+    multiply_transposed_factor(InterfaceVector &x) const;
 
     /** x <- L^-1 x. */
     void
-    solve_factor(dealii::Vector<double> &x) const;
+    solve_factor(InterfaceVector &x) const;
 
     /** x <- L^-T x. */
     void
-    solve_transposed_factor(dealii::Vector<double> &x) const;
+    solve_transposed_factor(InterfaceVector &x) const;
 
     /** L(i, j) for j <= i. */
     double
@@ -99,18 +99,18 @@ namespace Signorini
      * object or of one that it shares L with; then it is kept. Not safe to
      * share between threads.
      */
-    const dealii::FullMatrix<double> &
+    const InterfaceMatrix &
     matrix() const;
 
   private:
     // By rows L^T, which is L by columns; and S, empty until it is asked for.
     struct Parts
     {
-      dealii::FullMatrix<double> transposed_factor;
-      dealii::FullMatrix<double> matrix;
+      InterfaceMatrix transposed_factor;
+      InterfaceMatrix matrix;
     };
 
-    explicit InterfaceStiffness(dealii::FullMatrix<double> &&transposed_factor);
+    explicit InterfaceStiffness(InterfaceMatrix &&transposed_factor);
 
     // L(0, 0), by columns.
     const double *

@@ -1,7 +1,8 @@
 #ifndef signorini_variational_inequality_lemke_h
 #define signorini_variational_inequality_lemke_h
 
-#include <deal.II/lac/full_matrix.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <optional>
 #include <vector>
@@ -22,9 +23,9 @@ namespace Signorini
    *   ray.
    */
   std::optional<std::vector<double>>
-  solve_complementarity(const dealii::FullMatrix<double> &M,
-                        const std::vector<double>        &q,
-                        const std::vector<double>        &cover);
+  solve_complementarity(const InterfaceMatrix     &M,
+                        const std::vector<double> &q,
+                        const std::vector<double> &cover);
 } // namespace Signorini
 
 #endif

@@ -2,9 +2,8 @@
 #define signorini_variational_inequality_row_responses_h
 
 #include <signorini/variational_inequality/interface_stiffness.h>
+#include <signorini/variational_inequality/interface_types.h>
 #include <signorini/variational_inequality/sparse_row.h>
-
-#include <deal.II/lac/vector.h>
 
 #include <functional>
 #include <vector>
@@ -49,7 +48,7 @@ namespace Signorini
             const std::vector<unsigned int> &wanted);
 
     /** The response of row @p k, which must be known. */
-    const dealii::Vector<double> &
+    const InterfaceVector &
     operator[](const unsigned int k) const
     {
       Assert(is_known(k), dealii::ExcInternalError());
@@ -57,8 +56,8 @@ namespace Signorini
     }
 
   private:
-    std::vector<char>                   known;
-    std::vector<dealii::Vector<double>> responses;
+    std::vector<char>            known;
+    std::vector<InterfaceVector> responses;
   };
 } // namespace Signorini
 

@@ -1,7 +1,8 @@
 #ifndef signorini_variational_inequality_semidefinite_cholesky_h
 #define signorini_variational_inequality_semidefinite_cholesky_h
 
-#include <deal.II/lac/full_matrix.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace Signorini
   {
   public:
     /** @param indices F, without repetitions. */
-    SemidefiniteCholesky(const dealii::FullMatrix<double> &matrix,
-                         const std::vector<unsigned int>  &indices);
+    SemidefiniteCholesky(const InterfaceMatrix           &matrix,
+                         const std::vector<unsigned int> &indices);
 
     unsigned int
     size() const

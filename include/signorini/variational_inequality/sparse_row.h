@@ -1,7 +1,8 @@
 #ifndef signorini_variational_inequality_sparse_row_h
 #define signorini_variational_inequality_sparse_row_h
 
-#include <deal.II/lac/vector.h>
+
+#include <signorini/variational_inequality/interface_types.h>
 
 #include <cmath>
 #include <initializer_list>
@@ -34,7 +35,7 @@ namespace Signorini
 
     /** sum_i a_i x_i. */
     double
-    dot(const dealii::Vector<double> &x) const
+    dot(const InterfaceVector &x) const
     {
       double sum = 0.;
       for (const auto &[dof, coefficient] : entries)
@@ -44,7 +45,7 @@ namespace Signorini
 
     /** sum_i |a_i x_i|: the scale of the rounding error of dot(). */
     double
-    absolute_dot(const dealii::Vector<double> &x) const
+    absolute_dot(const InterfaceVector &x) const
     {
       double sum = 0.;
       for (const auto &[dof, coefficient] : entries)
@@ -54,7 +55,7 @@ namespace Signorini
 
     /** x <- x + factor a. */
     void
-    add_to(dealii::Vector<double> &x, const double factor) const
+    add_to(InterfaceVector &x, const double factor) const
     {
       for (const auto &[dof, coefficient] : entries)
         x(dof) += factor * coefficient;
