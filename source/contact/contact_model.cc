@@ -4,6 +4,7 @@
 #include <signorini/input/instantiate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -11,21 +12,6 @@
 namespace Signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    // tau_max B of a candidate, N; infinite if its friction has no bound.
-    template <int dim>
-    double
-    largest_friction(const ContactPair<dim>  &pair,
-                     const ContactPoint<dim> &point)
-    {
-      const double stress = pair.friction.largest_shear_stress();
-      return std::isfinite(stress) ? stress * point.area : stress;
-    }
-  } // namespace
-
-
 
   template <int dim>
   ContactModel<dim>::ContactModel(std::vector<PairDescription> pairs,
@@ -51,7 +37,7 @@ namespace Signorini
         for (const auto &node : pair.contactor.nodes)
           extent_ = std::max(extent_, node.point.norm());
       }
-    allowances_.resize(pairs_.size());
+    offsets_.resize(pairs_.size());
     number_interface();
   }
 
@@ -106,7 +92,7 @@ namespace Signorini
   ContactModel<dim>::is_frictionless() const
   {
     return std::all_of(pairs_.begin(), pairs_.end(), [](const auto &pair) {
-      return pair.friction.is_frictionless();
+      return pair.law.friction().is_frictionless();
     });
   }
 
@@ -146,7 +132,7 @@ namespace Signorini
             for (unsigned int n = 0; n < of_pair.size(); ++n)
               of_pair[n].area *= stretches[pair.node_of_candidate[n]];
           }
-        add_allowance(pair, now.time, of_pair);
+        add_offsets(pair, now.time, before.contact, of_pair);
         std::move(of_pair.begin(), of_pair.end(), std::back_inserter(points));
       }
     return points;
@@ -156,29 +142,88 @@ namespace Signorini
 
   template <int dim>
   void
-  ContactModel<dim>::allow_overclosure(const ContactPair<dim>    &pair,
-                                       const std::vector<double> &depths,
-                                       const double               end_time)
+  ContactModel<dim>::set_offset(const ContactPair<dim> &pair, GapOffset offset)
   {
-    AssertDimension(depths.size(), pair.contactor.nodes.size());
-    allowances_[&pair - pairs_.data()] = {depths, end_time};
+    offsets_[number_of(pair)] = std::move(offset);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ContactModel<dim>::number_of(const ContactPair<dim> &pair) const
+  {
+    return &pair - pairs_.data();
   }
 
 
 
   template <int dim>
   void
-  ContactModel<dim>::add_allowance(const ContactPair<dim>         &pair,
-                                   const double                    time,
-                                   std::vector<ContactPoint<dim>> &points) const
+  ContactModel<dim>::add_offsets(const ContactPair<dim>         &pair,
+                                 const double                    time,
+                                 const ContactState             *state,
+                                 std::vector<ContactPoint<dim>> &points) const
   {
-    const Allowance &allowance = allowances_[&pair - pairs_.data()];
-    // 1 - t / infinity is one.
-    const double share = 1. - time / allowance.end_time;
-    if (allowance.depths.empty() || share <= 0.)
-      return;
+    const GapOffset &offset = offsets_[number_of(pair)];
     for (unsigned int n = 0; n < points.size(); ++n)
-      points[n].gap += share * allowance.depths[n];
+      {
+        if (state)
+          points[n].recession =
+            pair.law.recession(*state, pair.first_contact + n);
+        points[n].gap += offset.value(n, time) + points[n].recession;
+      }
+  }
+
+
+
+  template <int dim>
+  ContactState
+  ContactModel<dim>::initial_state() const
+  {
+    ContactState state(n_contacts_);
+    for (const auto &pair : pairs_)
+      for (const auto &process : pair.law.processes())
+        state.quantities[process->quantity().name].resize(n_contacts_);
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::begin_slip(const std::vector<ContactPoint<dim>> &points,
+                                const DofVector                      &velocity,
+                                ContactState &state) const
+  {
+    const double rounding = 1e-10 * velocity.linfty_norm();
+    for (unsigned int k = 0; k < n_contacts_; ++k)
+      if (state.forces.normal[k] > 0.)
+        {
+          double square = 0.;
+          for (const SparseRow &row : points[k].slip_gradients)
+            square += std::pow(row.dot(velocity), 2);
+          state.slip_rates[k]  = std::sqrt(square);
+          state.is_slipping[k] = state.slip_rates[k] > rounding;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactModel<dim>::advance(const double                          step_size,
+                             const std::vector<ContactPoint<dim>> &points,
+                             ContactState                         &state) const
+  {
+    for (const auto &pair : pairs_)
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k = pair.first_contact + n;
+          state.gaps[k]        = points[k].gap;
+          state.recessions[k]  = points[k].recession;
+          pair.law.advance(step_size, points[k], k, state);
+        }
   }
 
 
@@ -209,7 +254,7 @@ namespace Signorini
     std::vector<unsigned int> passed;
     for (const auto &pair : pairs_)
       {
-        const Allowance      &allowance = allowances_[&pair - pairs_.data()];
+        const GapOffset      &offset = offsets_[number_of(pair)];
         const PlacedPair<dim> placed(pair, now, before, dof_map_.constraints());
         std::optional<PlacedPair<dim>> placed_before;
         if (pair.constraint == ContactConstraint::mortar)
@@ -231,8 +276,8 @@ namespace Signorini
           {
             const unsigned int k    = pair.first_contact + n;
             const unsigned int node = pair.node_of_candidate[n];
-            if (closed[k] || start_gaps[k] <= 0. ||
-                (!allowance.depths.empty() && allowance.depths[n] != 0.))
+            if (closed[k] || start_gaps[k] <= 0. || offset.was_inside(n) ||
+                (before.contact && before.contact->recessions[k] != 0.))
               continue;
             const auto side =
               placed.target->passed_side(placed.positions_before[node],
@@ -274,7 +319,7 @@ namespace Signorini
   template <int dim>
   std::vector<InterfaceContact>
   ContactModel<dim>::constraints(const std::vector<ContactPoint<dim>> &points,
-                                 const std::vector<double> &coefficients) const
+                                 const ContactState &at_start) const
   {
     std::vector<InterfaceContact> contacts(n_contacts_);
     for (const auto &pair : pairs_)
@@ -286,7 +331,7 @@ namespace Signorini
           contact.gap                      = point.gap;
           contact.rounding                 = rounding();
           contact.normal = interface_.row(point.gap_gradient, -1.);
-          if (pair.friction.is_frictionless() || !point.is_in_reach())
+          if (pair.law.friction().is_frictionless() || !point.is_in_reach())
             continue;
           for (unsigned int j = 0; j < dim - 1; ++j)
             contact.tangents.push_back(
@@ -299,9 +344,10 @@ namespace Signorini
               contact.tangents.clear();
               continue;
             }
-          contact.slip                 = point.slip;
-          contact.friction_coefficient = coefficients[k];
-          contact.largest_friction     = largest_friction(pair, point);
+          contact.slip = point.slip;
+          contact.friction_coefficient =
+            pair.law.friction_coefficient(at_start, k);
+          contact.largest_friction = pair.law.largest_friction(point.area);
         }
     return contacts;
   }

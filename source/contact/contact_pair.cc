@@ -13,7 +13,7 @@ namespace Signorini
                                 const DofMap                 &dof_map)
     : body(description.body)
     , target(std::move(description.target))
-    , friction(description.friction)
+    , law(std::move(description.law))
     , constraint(description.constraint)
     , surface(contactor_surface(*body, description.boundary))
     , candidate_of_node(surface.nodes.size(), numbers::invalid_unsigned_int)

@@ -1,8 +1,5 @@
 #include <signorini/contact/friction_law.h>
 #include <signorini/input/input_error.h>
-#include <signorini/input/named_list.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace Signorini
 {
@@ -10,16 +7,6 @@ namespace Signorini
 
   namespace
   {
-    double
-    parse_not_negative(const std::string &text, const std::string &entry)
-    {
-      const double value = parse_number(text, entry);
-      if (!(value >= 0.))
-        throw InputError(entry + ": found " + text +
-                         ", but it must not be negative.");
-      return value;
-    }
-
     // Tried at rest and at a slow pace; how fast it gets nobody knows yet.
     Formula
     parse_rate_function(const std::string &text,
@@ -43,12 +30,7 @@ namespace Signorini
     const auto declare = [&](const std::string &name,
                              const std::string &value,
                              const std::string &text) {
-      prm.declare_entry(name,
-                        in_pair ? "" : value,
-                        Patterns::Anything(),
-                        in_pair ?
-                          "As in Contact, for this pair. Empty: as there." :
-                          text);
+      declare_pair_entry(name, value, text, in_pair, prm);
     };
     declare("Friction coefficient",
             "0",
@@ -73,24 +55,32 @@ namespace Signorini
 
 
 
-  FrictionLaw
-  FrictionLaw::parse(
-    const Constants                                       &constants,
-    const std::function<std::string(const std::string &)> &get,
-    const std::function<std::string(const std::string &)> &path)
+  EntryConditions
+  FrictionLaw::conditions()
   {
-    const auto parse_entry = [&](const std::string &name) {
-      return parse_not_negative(get(name), path(name));
-    };
+    return {read_if_set({"Shear stress limit"}, "Friction coefficient"),
+            read_if_set({"Slip weakening length"},
+                        "Kinetic friction coefficient")};
+  }
+
+
+
+  FrictionLaw
+  FrictionLaw::parse(const Constants &constants, const PairEntries &entries)
+  {
+    const auto &[get, path] = entries;
     FrictionLaw law;
-    law.static_coefficient_ = parse_entry("Friction coefficient");
+    law.static_coefficient_ =
+      parse_not_negative(entries, "Friction coefficient");
     if (!get("Shear stress limit").empty())
-      law.largest_shear_stress_ = parse_entry("Shear stress limit");
+      law.largest_shear_stress_ =
+        parse_not_negative(entries, "Shear stress limit");
 
     const std::string kinetic = get("Kinetic friction coefficient");
     if (kinetic.empty())
       return law;
-    law.weakening_length_   = parse_entry("Slip weakening length");
+    law.weakening_length_ =
+      parse_not_negative(entries, "Slip weakening length");
     const std::string entry = path("Kinetic friction coefficient");
     if (law.static_coefficient_ == 0.)
       throw InputError(entry + ": found " + kinetic +

@@ -259,8 +259,8 @@ namespace Signorini
   typename EffectiveSystem<dim>::Correction
   EffectiveSystem<dim>::correct(const DofVector                      &residual,
                                 const std::vector<ContactPoint<dim>> &points,
-                                const InterfaceForces     &multipliers,
-                                const std::vector<double> &coefficients)
+                                const InterfaceForces &multipliers,
+                                const ContactState    &at_start)
   {
     InterfaceVector reduced_force;
     {
@@ -271,7 +271,7 @@ namespace Signorini
     InterfaceSolution solution;
     {
       const auto timing = timings_.measure(section_interface_);
-      problem_.set_contacts(contact_.constraints(points, coefficients));
+      problem_.set_contacts(contact_.constraints(points, at_start));
       solution = solve_interface_problem(points, multipliers, reduced_force);
 
       // The conditions of optimality are not those that a penalty obeys, or a

@@ -36,7 +36,7 @@ namespace Signorini
         solid.damping().vmult(product, state.velocity);
         force += product;
       }
-    contact.add_contact_forces(points, state.contact_forces, -1., force);
+    contact.add_contact_forces(points, state.contact.forces, -1., force);
     for (unsigned int i = 0; i < force.size(); ++i)
       state.support_force[i] =
         solid.dof_map().is_constrained(i) ? force[i] : 0.;
@@ -61,7 +61,9 @@ namespace Signorini
       energy.supports += motion * support_force;
 
     energy.friction += contact.friction();
-    energy.contact += contact.work() - contact.tangential_work();
+    energy.wear += contact.wear();
+    energy.contact +=
+      contact.work() - contact.tangential_work() + contact.wear();
 
     if (solid.is_damped())
       {

@@ -71,9 +71,9 @@ namespace Signorini
           throw_not_finite(name + (" of " + solid.unknown_in_words(i)),
                            (*vector)[i],
                            state.time);
-    if (!are_finite(state.contact_forces))
+    if (!are_finite(state.contact.forces))
       throw_not_finite("a contact force", std::nan(""), state.time);
-    for (const double gap : state.gaps) // infinite: out of reach
+    for (const double gap : state.contact.gaps) // infinite: out of reach
       if (std::isnan(gap))
         throw_not_finite("a gap", gap, state.time);
     if (!are_finite(state.energy))

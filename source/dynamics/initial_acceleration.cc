@@ -31,7 +31,6 @@ namespace Signorini
     const SolidModel<dim>                             &solid,
     const typename SolidModel<dim>::RedistributedMass &mass,
     const std::vector<ContactPoint<dim>>              &points,
-    const std::vector<double>                         &coefficients,
     EffectiveSystem<dim>                              &system,
     State                                             &state)
   {
@@ -52,8 +51,8 @@ namespace Signorini
         force -= product;
       }
     const auto correction =
-      system.correct(force, points, state.contact_forces, coefficients);
-    state.contact_forces = correction.multipliers;
+      system.correct(force, points, state.contact.forces, state.contact);
+    state.contact.forces = correction.multipliers;
     for (unsigned int i = 0; i < correction.motion.size(); ++i)
       if (mass.redistribution.is_massless(i))
         state.displacement[i] += correction.motion[i];
@@ -71,7 +70,7 @@ namespace Signorini
     const SolidModel<dim> &,                    \
     const SolidModel<dim>::RedistributedMass &, \
     const std::vector<ContactPoint<dim>> &,     \
-    const std::vector<double> &,                \
+                                                \
     EffectiveSystem<dim> &,                     \
     State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)

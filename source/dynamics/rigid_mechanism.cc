@@ -150,7 +150,7 @@ namespace Signorini
             continue;
           const auto   normal = powers(point.gap_gradient);
           const double mu =
-            with_friction ? pair.friction.coefficient(true, 0., 0.) : 0.;
+            with_friction ? pair.law.friction().coefficient(true, 0., 0.) : 0.;
           if (mu == 0.)
             add(k, normal, 0.);
           else
@@ -195,7 +195,7 @@ namespace Signorini
 
   template <int dim>
   typename RigidMechanism<dim>::Approach
-  RigidMechanism<dim>::approach(const DofVector &start, const double time) const
+  RigidMechanism<dim>::approach(const Configuration &start) const
   {
     constexpr unsigned int most_moves = 200; // then it is too slow to tell
     const double           size       = size_of_contactors(contact_);
@@ -205,12 +205,17 @@ namespace Signorini
     Approach                    result;
     std::optional<unsigned int> first;
     result.forces = InterfaceForces(contact_.n_contacts());
-    result.way.reinit(start.size());
+    result.way.reinit(start.displacement.size());
     for (unsigned int move = 0; move < most_moves; ++move)
       {
-        DofVector displacement(start);
+        DofVector displacement(start.displacement);
         displacement += result.way;
-        const auto points = contact_.evaluate({displacement, time});
+        auto points =
+          contact_.evaluate({displacement, start.time, start.contact});
+        // What wore in the last step recedes within this one: until then
+        // contacts are closed.
+        for (unsigned int k = 0; k < points.size() && start.contact; ++k)
+          points[k].gap -= points[k].recession - start.contact->recessions[k];
 
         // 1. Can the contacts that are closed balance the loads?
         const auto cones   = columns(points, closed, true);

@@ -37,10 +37,10 @@ namespace Signorini
     DofVector force(motion_.size());
     if (old_share_ != 0.)
       contact_.add_contact_forces(old_points_,
-                                  old_state_.contact_forces,
+                                  old_state_.contact.forces,
                                   old_share_,
                                   force);
-    contact_.add_contact_forces(points_, state_.contact_forces, share_, force);
+    contact_.add_contact_forces(points_, state_.contact.forces, share_, force);
     return motion_ * force;
   }
 
@@ -54,8 +54,8 @@ namespace Signorini
     for (unsigned int k = 0; k < points_.size(); ++k)
       for (unsigned int j = 0; j < dim - 1; ++j)
         work -= points_[k].slip[j] *
-                (old_share_ * old_state_.contact_forces.tangential[k][j] +
-                 share_ * state_.contact_forces.tangential[k][j]);
+                (old_share_ * old_state_.contact.forces.tangential[k][j] +
+                 share_ * state_.contact.forces.tangential[k][j]);
     return work;
   }
 
@@ -72,10 +72,25 @@ namespace Signorini
         for (unsigned int j = 0; j < dim - 1; ++j)
           of_contact +=
             points_[k].slip[j] *
-            (old_share_ * old_state_.contact_forces.tangential[k][j] +
-             share_ * state_.contact_forces.tangential[k][j]);
+            (old_share_ * old_state_.contact.forces.tangential[k][j] +
+             share_ * state_.contact.forces.tangential[k][j]);
         taken += std::max(0., of_contact);
       }
+    return taken;
+  }
+
+
+
+  template <int dim>
+  double
+  StepContact<dim>::wear() const
+  {
+    double taken = 0.;
+    for (unsigned int k = 0; k < points_.size(); ++k)
+      taken +=
+        (old_share_ * old_state_.contact.forces.normal[k] +
+         share_ * state_.contact.forces.normal[k]) *
+        (state_.contact.recessions[k] - old_state_.contact.recessions[k]);
     return taken;
   }
 
@@ -91,9 +106,10 @@ namespace Signorini
         {
           const unsigned int k = pair.first_contact + n;
           const double       old_force =
-            old_share_ * old_state_.contact_forces.normal[k];
-          const double force  = share_ * state_.contact_forces.normal[k];
-          const double change = state_.gaps[k] - old_state_.gaps[k];
+            old_share_ * old_state_.contact.forces.normal[k];
+          const double force = share_ * state_.contact.forces.normal[k];
+          const double change =
+            state_.contact.gaps[k] - old_state_.contact.gaps[k];
           // A gap out of reach is infinite.
           if (pair.target->unknowns().empty() && std::isfinite(change))
             {
@@ -116,11 +132,11 @@ namespace Signorini
                               const unsigned int                    k) const
   {
     double work = 0.;
-    if (share == 0. || state.contact_forces.normal[k] == 0.)
+    if (share == 0. || state.contact.forces.normal[k] == 0.)
       return work;
-    work = state.contact_forces.normal[k] * points[k].gap_gradient.dot(motion_);
+    work = state.contact.forces.normal[k] * points[k].gap_gradient.dot(motion_);
     for (unsigned int j = 0; j < dim - 1; ++j)
-      work += state.contact_forces.tangential[k][j] *
+      work += state.contact.forces.tangential[k][j] *
               (points_[k].slip[j] - points[k].slip_gradients[j].dot(motion_));
     return share * work;
   }
@@ -131,9 +147,9 @@ namespace Signorini
   InterfaceForces
   StepContact<dim>::normal_forces() const
   {
-    InterfaceForces forces(state_.contact_forces.normal);
+    InterfaceForces forces(state_.contact.forces.normal);
     for (unsigned int k = 0; k < forces.normal.size(); ++k)
-      forces.normal[k] = old_share_ * old_state_.contact_forces.normal[k] +
+      forces.normal[k] = old_share_ * old_state_.contact.forces.normal[k] +
                          share_ * forces.normal[k];
     return forces;
   }

@@ -318,11 +318,11 @@ namespace Signorini
     std::vector<bool> closed(contact_.n_contacts());
     for (unsigned int k = 0; k < closed.size(); ++k)
       closed[k] = iterate.multipliers.normal[k] > 0. ||
-                  old_state.contact_forces.normal[k] > 0.;
+                  old_state.contact.forces.normal[k] > 0.;
     const auto passed =
-      contact_.tunnelling_candidates({state.displacement, state.time},
-                                     {old_state.displacement, old_state.time},
-                                     old_state.gaps,
+      contact_.tunnelling_candidates(state.configuration(),
+                                     old_state.configuration(),
+                                     old_state.contact.gaps,
                                      closed);
     if (!passed.empty())
       throw StepFailed("nodes pass through a surface within the step: " +

@@ -2,7 +2,6 @@
 #include <signorini/dynamics/contact_work.h>
 #include <signorini/dynamics/energy_balance.h>
 #include <signorini/dynamics/momentum.h>
-#include <signorini/dynamics/slip.h>
 #include <signorini/dynamics/step_contact.h>
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/instantiate.h>
@@ -24,11 +23,9 @@ namespace Signorini
                         const Iterate                        &iterate,
                         State                                &state)
   {
-    state.contact_forces = contact_forces(iterate);
-    for (unsigned int k = 0; k < points.size(); ++k)
-      state.gaps[k] = points[k].gap;
-    state.is_slipping = iterate.is_slipping;
-    measure_slip(step_size, points, state);
+    state.contact.forces      = contact_forces(iterate);
+    state.contact.is_slipping = iterate.is_slipping;
+    contact_.advance(step_size, points, state.contact);
     if (conserves_energy_)
       set_mean_acceleration(old_state, step_size, state);
     if (settings_.time.dynamic)
@@ -40,7 +37,7 @@ namespace Signorini
     const auto timing = timings_.measure(section_residual_);
     measure_supports(points, state);
     measure_motion(state);
-    const auto &old_forces = old_state.contact_forces.normal;
+    const auto &old_forces = old_state.contact.forces.normal;
     const bool  has_old_forces =
       std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
         return force != 0.;
@@ -112,7 +109,7 @@ namespace Signorini
       return mean;
     // What the balance of the step lacks.
     DofVector lacking(residual);
-    contact_.add_contact_forces(points, state.contact_forces, 1., lacking);
+    contact_.add_contact_forces(points, state.contact.forces, 1., lacking);
     for (unsigned int i = 0; i < mean.size(); ++i)
       mean[i] = solid_.dof_map().is_constrained(i) ? -lacking[i] : 0.;
     return mean;

@@ -45,21 +45,22 @@ namespace Signorini
       modes.push_back(std::move(mode.motion));
     const RigidMechanism<dim> mechanism(
       contact_, modes, solid_.external_force(time, displacement));
-    const auto approach = mechanism.approach(displacement, time);
+    const auto approach =
+      mechanism.approach({displacement, time, &start.contact});
     if (!approach.is_balanced)
-      return start.contact_forces;
-    const auto &old_forces = start.contact_forces.normal;
+      return start.contact.forces;
+    const auto &old_forces = start.contact.forces.normal;
     const bool  is_held =
       std::any_of(old_forces.begin(), old_forces.end(), [](const double force) {
         return force > 0.;
       });
     approach_ = approach.way.linfty_norm();
     if (approach_ == 0.)
-      return is_held ? start.contact_forces : approach.forces;
+      return is_held ? start.contact.forces : approach.forces;
     start.displacement += approach.way;
-    const auto points = contact_.evaluate({start.displacement, start.time});
+    const auto points = contact_.evaluate(start.configuration());
     for (unsigned int k = 0; k < points.size(); ++k)
-      start.gaps[k] = points[k].gap;
+      start.contact.gaps[k] = points[k].gap;
     return approach.forces;
   }
 
@@ -95,7 +96,7 @@ namespace Signorini
       return false;
     // In dynamics inertia does not let them leave their way. Only what turns
     // freely is better off where it will be: the next iterations are not exact.
-    const auto &forces   = old_state.contact_forces.normal;
+    const auto &forces   = old_state.contact.forces.normal;
     const bool  is_apart = std::all_of(forces.begin(),
                                       forces.end(),
                                       [](const double f) { return f == 0.; });

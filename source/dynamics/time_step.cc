@@ -1,6 +1,5 @@
 #include <signorini/dynamics/initial_acceleration.h>
 #include <signorini/dynamics/momentum.h>
-#include <signorini/dynamics/slip.h>
 #include <signorini/dynamics/step_scheme.h>
 #include <signorini/dynamics/time_step.h>
 #include <signorini/input/instantiate.h>
@@ -118,11 +117,7 @@ namespace Signorini
     state.velocity     = velocity;
     state.acceleration.reinit(solid_.n_dofs());
     state.support_force.reinit(solid_.n_dofs());
-    state.contact_forces = InterfaceForces(contact_.n_contacts());
-    state.slips.resize(contact_.n_contacts());
-    state.slip_rates.resize(contact_.n_contacts());
-    state.slip_ways.resize(contact_.n_contacts());
-    state.is_slipping.resize(contact_.n_contacts());
+    state.contact = contact_.initial_state();
     solid_.apply_supports(0., state.displacement);
     // A static run starts unloaded: its first step brings the loads from zero.
     state.external_force.reinit(solid_.n_dofs());
@@ -142,20 +137,16 @@ namespace Signorini
         inertia_.mass(state).redistribution.extrapolate(state.velocity);
         system_.use_mass(inertia_.mass(state).matrix,
                          state.massless_nodes.empty());
-        balance_initial_acceleration(solid_,
-                                     inertia_.mass(state),
-                                     points,
-                                     friction_coefficients(contact_, state),
-                                     system_,
-                                     state);
+        balance_initial_acceleration(
+          solid_, inertia_.mass(state), points, system_, state);
       }
     respond(before, settings_.time.step_size, state);
     if (!settings_.time.dynamic)
       state.external_force = 0.;
     const auto points = evaluate_contact(state, state);
-    for (const auto &point : points)
-      state.gaps.push_back(point.gap);
-    find_initial_slip(points, state);
+    for (unsigned int k = 0; k < points.size(); ++k)
+      state.contact.gaps[k] = points[k].gap;
+    contact_.begin_slip(points, state.velocity, state.contact);
     measure_supports(points, state);
     measure_motion(state);
     state.energy.initial =
@@ -172,7 +163,7 @@ namespace Signorini
     approach_ = 0.;
     mass_given_at_.clear();
     State start  = old_state;
-    auto  forces = old_state.contact_forces;
+    auto  forces = old_state.contact.forces;
     if (has_free_modes_)
       forces = approach_contact(step.end(), start);
     while (true)
@@ -215,14 +206,12 @@ namespace Signorini
       system_.use_mass(inertia_.mass(old_state).matrix,
                        old_state.massless_nodes.empty());
     begin(old_state, step, state);
-    const std::string held =
-      contact_.held_penetration({state.displacement, state.time});
+    const std::string held = contact_.held_penetration(state.configuration());
     if (!held.empty())
       throw ComputationError("Contact: " + held);
 
     Iterate iterate = {first_forces,
-                       old_state.is_slipping,
-                       friction_coefficients(contact_, old_state),
+                       old_state.contact.is_slipping,
                        std::numeric_limits<double>::max(),
                        0.};
     scale(iterate.multipliers, scheme_.multiplier_factor);
@@ -286,7 +275,7 @@ namespace Signorini
         auto correction    = system_.correct(residual,
                                           points,
                                           iterate.multipliers,
-                                          iterate.coefficients);
+                                          old_state.contact);
         state.kkt_residual = correction.kkt_residual;
         if (!correction.fallback_contacts.empty())
           fallbacks_ =
@@ -301,7 +290,6 @@ namespace Signorini
                                                     correction.multipliers);
         return {std::move(forces),
                 std::move(correction.is_slipping),
-                iterate.coefficients,
                 change,
                 share * correction.motion.linfty_norm()};
       }
@@ -323,8 +311,7 @@ namespace Signorini
                                   const State &old_state) const
   {
     const auto timing = timings_.measure(section_contact_);
-    return contact_.evaluate({state.displacement, state.time},
-                             {old_state.displacement, old_state.time});
+    return contact_.evaluate(state.configuration(), old_state.configuration());
   }
 
 
@@ -342,7 +329,7 @@ namespace Signorini
     middle.sadd(0.5, 0.5, old_state.displacement);
     auto acting =
       contact_.evaluate({middle, 0.5 * (old_state.time + state.time)},
-                        {old_state.displacement, old_state.time});
+                        old_state.configuration());
     for (unsigned int k = 0; k < points.size(); ++k)
       if (!acting[k].is_in_reach())
         acting[k] = points[k];

@@ -124,7 +124,7 @@ namespace Signorini
       contact, modes, solid.external_force(time, DofVector(solid.n_dofs())));
     auto free = mechanism.find_unbalanced(contact.evaluate({displacement, 0.}));
     if (!free && !is_driven(solid, rigid_bodies, displacement, time))
-      free = mechanism.approach(displacement, 0.).endless;
+      free = mechanism.approach({displacement, 0.}).endless;
     if (free)
       refuse(
         motions[*free],

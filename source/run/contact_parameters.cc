@@ -274,7 +274,7 @@ namespace Signorini
       return {contactor.body,
               contactor.boundary,
               std::move(target),
-              parameters.friction,
+              parameters.law,
               constraint};
     }
   } // namespace
@@ -375,7 +375,7 @@ namespace Signorini
     if (dim == 3)
       for (const PairParameters &pair : parameters.of_pairs)
         refuse_friction_of_three_dimensions(parameters.algorithm.algorithm,
-                                            pair.friction);
+                                            pair.law.friction());
     return std::make_unique<ContactModel<dim>>(std::move(pairs),
                                                solid.dof_map());
   }

@@ -18,8 +18,7 @@ namespace Signorini
     energy_put_in(const EnergyLedger &energy, const double largest_kinetic)
     {
       return std::max({energy.initial,
-                       energy.initial + energy.loads + energy.supports +
-                         energy.contact + energy.returned,
+                       energy.sum(EnergyLedger::Kind::input),
                        largest_kinetic});
     }
 
@@ -48,11 +47,36 @@ namespace Signorini
 
 
 
+  std::string
+  ledger_in_words(const EnergyLedger &energy)
+  {
+    using Kind = EnergyLedger::Kind;
+    std::ostringstream text;
+    text.precision(5);
+    const auto add = [&](const Kind kind, const char *separator) {
+      for (const auto &entry : EnergyLedger::entries())
+        if (entry.kind == kind && energy.*entry.value != 0.)
+          {
+            text << separator << entry.name << ' ' << energy.*entry.value;
+            separator = " + ";
+          }
+      return separator;
+    };
+    text << "energy [J]:";
+    add(Kind::input, " ");
+    text << " =";
+    const char *const separator = add(Kind::taken, add(Kind::kept, " "));
+    text << separator << "lost by the scheme " << energy.scheme_loss();
+    return text.str();
+  }
+
+
+
   double
   energy_turnover(const EnergyLedger &energy, const double largest_kinetic)
   {
-    const double is_there = energy.kinetic + energy.stored + energy.plastic +
-                            energy.damping + energy.friction;
+    const double is_there = energy.sum(EnergyLedger::Kind::kept) +
+                            energy.sum(EnergyLedger::Kind::taken);
     return std::max(energy_put_in(energy, largest_kinetic), is_there);
   }
 

@@ -2,8 +2,8 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
-#include <signorini/run/history_columns.h>
 #include <signorini/run/mesh_adaptation.h>
+#include <signorini/run/result_columns.h>
 #include <signorini/run/result_fields.h>
 #include <signorini/solid/error_estimate.h>
 
@@ -121,7 +121,7 @@ namespace Signorini
     , passes_(problem.solid->parts().size())
   {
     History history;
-    add_history_columns(problem, history);
+    add_columns(result_columns(problem), history);
     const ResultFields<dim> fields(problem);
     with_path(quantities_entry, [&] {
       for (const std::string &name : names_)
@@ -153,9 +153,10 @@ namespace Signorini
     const double energy = state.energy.stored + state.energy.plastic;
     record.error        = energy > 0. ? std::sqrt(error / (2. * energy)) : 0.;
 
-    History history;
-    add_history_columns(problem, history);
-    append_history_row(problem, state, history);
+    History    history;
+    const auto columns = result_columns(problem);
+    add_columns(columns, history);
+    append_row(columns, problem, state, history);
     ResultFields<dim> fields(problem);
     fields.show(state);
     for (const CheckExpression &expression : expressions_)
@@ -236,13 +237,13 @@ namespace Signorini
     for (const auto &pair : problem.contact->pairs())
       {
         const auto zone =
-          contact_zone(pair, state.contact_forces.normal, state.displacement);
+          contact_zone(pair, state.contact.forces.normal, state.displacement);
         const double largest =
           std::max(zone.width / parameters_.cells_across_contact,
                    2. * parameters_.smallest_cell);
         const auto near = near_misses(pair,
-                                      state.contact_forces.normal,
-                                      state.gaps,
+                                      state.contact.forces.normal,
+                                      state.contact.gaps,
                                       state.displacement);
         for (unsigned int b = 0; b < flags.size(); ++b)
           {

@@ -70,11 +70,10 @@ namespace Signorini
               }
           }
         if (parameters[p].overclosure == Overclosure::press_fit)
-          contact.allow_overclosure(pair, depths, parameters[p].press_fit_end);
+          contact.set_offset(pair, {depths, parameters[p].press_fit_end});
         else if (parameters[p].overclosure == Overclosure::adjust)
-          contact.allow_overclosure(pair,
-                                    depths,
-                                    std::numeric_limits<double>::infinity());
+          contact.set_offset(pair,
+                             {depths, std::numeric_limits<double>::infinity()});
         else if (deepest > rounding_of(pair))
           refuse(pair, place, deepest);
       }

@@ -142,21 +142,24 @@ namespace Signorini
 
   template <int dim>
   void
-  OverlapWatch<dim>::refuse(const Configuration       &configuration,
-                            const std::vector<double> &normal_forces,
-                            const std::vector<double> &gaps)
+  OverlapWatch<dim>::refuse(const Configuration &configuration)
   {
     remember(configuration);
+    const ContactState &contact = *configuration.contact;
     std::vector<double> allowed(allowed_);
     for (unsigned int p = 0; p < allowed.size(); ++p)
       {
         const auto &pair        = problem_.contact->pairs()[p];
-        double      penetration = 0.;
+        double      penetration = 0., recession = 0.;
         for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
-          penetration = std::max(penetration, -gaps[pair.first_contact + n]);
-        allowed[p] += penetration;
+          {
+            const unsigned int k = pair.first_contact + n;
+            penetration          = std::max(penetration, -contact.gaps[k]);
+            recession            = std::max(recession, contact.recessions[k]);
+          }
+        allowed[p] += penetration + recession;
       }
-    const auto found = find(configuration, normal_forces, allowed);
+    const auto found = find(configuration, contact.forces.normal, allowed);
     for (unsigned int p = 0; p < found.size(); ++p)
       if (found[p])
         throw ComputationError(in_words(problem_.contact->pairs()[p],

@@ -103,17 +103,6 @@ namespace Signorini
       return false;
     }
 
-    using Getter = std::function<std::string(const std::string &)>;
-
-    double
-    positive(const Getter &get, const Getter &path, const std::string &name)
-    {
-      const double value = parse_number(get(name), path(name));
-      if (!(value > 0.))
-        throw InputError(path(name) + ": found " + get(name) +
-                         ", but it must be greater than zero.");
-      return value;
-    }
   } // namespace
 
 
@@ -122,13 +111,13 @@ namespace Signorini
   PairParameters::declare_parameters(const std::vector<std::string> &pairs,
                                      ParameterHandler               &prm)
   {
-    FrictionLaw::declare_parameters(/*in_pair=*/false, prm);
+    ContactLaw::declare_parameters(/*in_pair=*/false, prm);
     for (const Entry &entry : entries())
       declare(entry, false, prm);
     for (const std::string &pair : pairs)
       {
         prm.enter_subsection("Pair " + pair);
-        FrictionLaw::declare_parameters(/*in_pair=*/true, prm);
+        ContactLaw::declare_parameters(/*in_pair=*/true, prm);
         for (const Entry &entry : entries())
           declare(entry, true, prm);
         prm.leave_subsection();
@@ -140,10 +129,8 @@ namespace Signorini
   EntryConditions
   PairParameters::conditions()
   {
-    return {
+    EntryConditions list = {
       contradiction(read_with({"Press fit end"}, "Overclosure", {"press fit"})),
-      read_if_set({"Shear stress limit"}, "Friction coefficient"),
-      read_if_set({"Slip weakening length"}, "Kinetic friction coefficient"),
       read_with({"Surface", "Knots", "Feature angle"},
                 "Constraint",
                 {"automatic", "node to surface"}),
@@ -153,6 +140,9 @@ namespace Signorini
        &has_deforming_target,
        "Name a pair with a deforming target",
        false}};
+    for (const EntryCondition &condition : ContactLaw::conditions())
+      list.push_back(condition);
+    return list;
   }
 
 
@@ -162,23 +152,24 @@ namespace Signorini
                         const Constants   &constants,
                         ParameterHandler  &prm)
   {
-    const Getter get_own = [&](const std::string &name) {
+    const auto get_own = [&](const std::string &name) {
       prm.enter_subsection("Pair " + pair);
       const std::string own = prm.get(name);
       prm.leave_subsection();
       return own;
     };
-    const Getter get = [&](const std::string &name) {
+    const auto get = [&](const std::string &name) {
       const std::string own = get_own(name);
       return own.empty() ? prm.get(name) : own;
     };
-    const Getter path = [&](const std::string &name) {
-      return (get_own(name).empty() ? "Contact / " :
-                                      "Contact / Pair " + pair + " / ") +
-             name;
-    };
-    PairParameters parameters;
-    parameters.friction = FrictionLaw::parse(constants, get, path);
+    const PairEntries entries = {get, [&](const std::string &name) {
+                                   return (get_own(name).empty() ?
+                                             "Contact / " :
+                                             "Contact / Pair " + pair + " / ") +
+                                          name;
+                                 }};
+    PairParameters    parameters;
+    parameters.law = ContactLaw::parse(constants, entries);
     if (get("Constraint") == "mortar")
       parameters.constraint = ContactConstraint::mortar;
     else if (get("Constraint") == "node to surface" ||
@@ -189,14 +180,14 @@ namespace Signorini
     parameters.surface.knots         = get("Knots") == "uniform" ?
                                          CurveWeights::Knots::uniform :
                                          CurveWeights::Knots::centripetal;
-    parameters.surface.feature_angle = positive(get, path, "Feature angle");
-    parameters.surface.reach         = positive(get, path, "Search distance");
-    parameters.surface.depth         = positive(get, path, "Search depth");
-    const std::string treatment      = get("Overclosure");
+    parameters.surface.feature_angle = parse_positive(entries, "Feature angle");
+    parameters.surface.reach    = parse_positive(entries, "Search distance");
+    parameters.surface.depth    = parse_positive(entries, "Search depth");
+    const std::string treatment = get("Overclosure");
     parameters.overclosure = treatment == "press fit" ? Overclosure::press_fit :
                              treatment == "adjust"    ? Overclosure::adjust :
                                                         Overclosure::refuse;
-    parameters.press_fit_end = positive(get, path, "Press fit end");
+    parameters.press_fit_end = parse_positive(entries, "Press fit end");
     return parameters;
   }
 } // namespace Signorini

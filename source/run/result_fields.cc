@@ -26,12 +26,19 @@ namespace Signorini
       return result;
     }
 
-    const std::vector<std::string> surface_quantities = {"pressure",
-                                                         "gap",
-                                                         "shear",
-                                                         "slip",
-                                                         "status"};
-    const std::string              fringe_order       = "fringe_order";
+    // Of the contactor side of a pair.
+    template <int dim>
+    std::vector<std::string>
+    surface_quantities(const ContactPair<dim> &pair)
+    {
+      std::vector<std::string> list = {
+        "pressure", "gap", "shear", "slip", "status"};
+      for (const auto &process : pair.law.processes())
+        list.push_back(process->quantity().name);
+      return list;
+    }
+
+    const std::string fringe_order = "fringe_order";
 
     // (sigma_1 - sigma_2)/f of the stresses in the x-y plane.
     DofVector
@@ -52,8 +59,8 @@ namespace Signorini
     SurfaceData<dim>
     outline_data(const RigidBody<dim> &body, const State &state)
     {
-      const auto placement = body.placement({state.displacement, state.time});
-      SurfaceData<dim>            data;
+      const auto       placement = body.placement(state.configuration());
+      SurfaceData<dim> data;
       std::vector<Tensor<1, dim>> displacement;
       data.name  = body.name() + ".outline";
       data.nodes = body.surface().outline();
@@ -136,7 +143,7 @@ namespace Signorini
             list.push_back(prefix + quantity);
       }
     for (const auto &pair : problem_.contact->pairs())
-      for (const std::string &name : surface_quantities)
+      for (const std::string &name : surface_quantities(pair))
         list.push_back(pair.name + "." + name);
     return list;
   }
@@ -158,10 +165,12 @@ namespace Signorini
     const std::string boundary =
       dot == std::string::npos ? std::string() : owner.substr(dot + 1);
     for (const auto &pair : problem_.contact->pairs())
-      if (pair.name == owner && std::count(surface_quantities.begin(),
-                                           surface_quantities.end(),
-                                           quantity) > 0)
-        return surface_field(pair, quantity);
+      if (pair.name == owner)
+        {
+          const auto quantities = surface_quantities(pair);
+          if (std::count(quantities.begin(), quantities.end(), quantity) > 0)
+            return surface_field(pair, quantity);
+        }
     for (unsigned int b = 0; b < problem_.solid->parts().size(); ++b)
       if (problem_.solid->parts()[b].body->name() == body)
         return body_field(b, boundary, quantity);
@@ -232,8 +241,7 @@ namespace Signorini
   ResultFields<dim>::contact_points() const
   {
     if (contact_points_.empty())
-      contact_points_ =
-        problem_.contact->evaluate({state_->displacement, state_->time});
+      contact_points_ = problem_.contact->evaluate(state_->configuration());
     return contact_points_;
   }
 
@@ -245,7 +253,7 @@ namespace Signorini
   {
     const auto &points = contact_points();
     const auto  pressures =
-      contact_pressures(pair, points, state_->contact_forces.normal);
+      contact_pressures(pair, points, state_->contact.forces.normal);
     SurfaceData<dim>            data;
     std::vector<double>         gap, pressure, shear, slip, status;
     std::vector<Tensor<1, dim>> traction, normal, displacement;
@@ -256,14 +264,16 @@ namespace Signorini
         const double       p    = pressures[n];
         data.nodes.push_back(node.point);
         // Out of reach there is no gap to show.
-        gap.push_back(std::isfinite(state_->gaps[k]) ?
-                        state_->gaps[k] :
+        gap.push_back(std::isfinite(state_->contact.gaps[k]) ?
+                        state_->contact.gaps[k] :
                         std::numeric_limits<float>::quiet_NaN());
         pressure.push_back(p);
-        status.push_back(p <= 0. ? 0. : state_->is_slipping[k] ? 2. : 1.);
+        status.push_back(p <= 0.                        ? 0. :
+                         state_->contact.is_slipping[k] ? 2. :
+                                                          1.);
         normal.push_back(points[k].normal);
         Tensor<1, dim> t      = p * points[k].normal;
-        const auto    &forces = state_->contact_forces.tangential[k];
+        const auto    &forces = state_->contact.forces.tangential[k];
         for (unsigned int j = 0; j < dim - 1; ++j)
           t -= points[k].pressure(forces[j]) * points[k].tangents[j];
         traction.push_back(t);
@@ -271,9 +281,9 @@ namespace Signorini
         // In 2-D along the tangent, in 3-D the size.
         shear.push_back(points[k].pressure(
           dim == 2 ? -forces[0] : std::hypot(forces[0], forces[1])));
-        slip.push_back(dim == 2 ?
-                         state_->slips[k][0] :
-                         std::hypot(state_->slips[k][0], state_->slips[k][1]));
+        slip.push_back(dim == 2 ? state_->contact.slips[k][0] :
+                                  std::hypot(state_->contact.slips[k][0],
+                                             state_->contact.slips[k][1]));
         Tensor<1, dim> u;
         for (unsigned int c = 0; c < dim; ++c)
           u[c] = state_->displacement[node.dofs[c]];
@@ -286,6 +296,14 @@ namespace Signorini
                           {"shear", shear},
                           {"slip", slip},
                           {"status", status}};
+    for (const auto &process : pair.law.processes())
+      {
+        const std::string &name = process->quantity().name;
+        const auto         first =
+          state_->contact.quantities.at(name).begin() + pair.first_contact;
+        data.scalar_fields.emplace_back(
+          name, std::vector<double>(first, first + data.nodes.size()));
+      }
     data.vector_fields = {{"displacement", displacement},
                           {"traction", traction},
                           {"normal", normal}};

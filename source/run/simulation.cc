@@ -5,8 +5,8 @@
 #include <signorini/output/progress.h>
 #include <signorini/output/run_folder.h>
 #include <signorini/run/energy_verdict.h>
-#include <signorini/run/history_columns.h>
 #include <signorini/run/interruption.h>
+#include <signorini/run/result_columns.h>
 #include <signorini/run/simulation.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -64,11 +64,12 @@ namespace Signorini
                   [&] { return ExpectedResults(problem.output.checks); }))
     , checkpoint_clock_(problem.output.steps_between_checkpoints,
                         problem.output.minutes_between_checkpoints)
+    , columns_(result_columns(problem))
     , start_time_(0.)
     , start_(std::chrono::steady_clock::now())
   {
     record_.step_memory = StepMemory(problem.time.step_size);
-    add_history_columns(problem, record_.history);
+    add_columns(columns_, record_.history);
     with_path(checks_entry,
               [&] { expected_.check_names(record_.history, fields_); });
   }
@@ -242,7 +243,7 @@ namespace Signorini
     const auto   timing = timings_.measure("output");
     const State &state  = record_.state;
     require_finite(state, *problem_.solid);
-    append_history_row(problem_, state, record_.history);
+    append_row(columns_, problem_, state, record_.history);
     files.history->write_new_rows(record_.history);
     if (with_fields)
       write_fields(files);
@@ -361,16 +362,7 @@ namespace Signorini
               << largest("kkt_residual");
     log.line(residuals.str());
 
-    const EnergyLedger &energy = state.energy;
-    std::ostringstream  ledger;
-    ledger << std::setprecision(5) << "energy [J]: initial " << energy.initial
-           << " + loads " << energy.loads << " + supports " << energy.supports
-           << " + contact " << energy.contact << " + returned "
-           << energy.returned << " = kinetic " << energy.kinetic << " + stored "
-           << energy.stored << " + plastic " << energy.plastic << " + damping "
-           << energy.damping << " + friction " << energy.friction
-           << " + lost by the scheme " << energy.scheme_loss();
-    log.line(ledger.str());
+    log.line(ledger_in_words(state.energy));
     for (const auto &pair : problem_.contact->pairs())
       {
         std::ostringstream line;

@@ -11,9 +11,9 @@ namespace Signorini
     const std::string warning = strains_.look(state.displacement, state.time);
     if (!warning.empty())
       log.line(warning);
-    const Configuration configuration = {state.displacement, state.time};
+    const Configuration configuration = state.configuration();
     if (is_shown || overlaps_.is_due(configuration))
-      overlaps_.refuse(configuration, state.contact_forces.normal, state.gaps);
+      overlaps_.refuse(configuration);
   }
 
 

@@ -183,8 +183,7 @@ namespace Signorini
   {
     const auto &dofs = contact.interface_dofs();
     const auto  contacts =
-      contact.constraints(contact.evaluate({u, 0.}),
-                          std::vector<double>(contact.n_contacts(), 0.));
+      contact.constraints(contact.evaluate({u, 0.}), contact.initial_state());
     dealii::Vector<double> moved(u), motion(dofs.size());
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {

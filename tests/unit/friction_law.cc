@@ -25,8 +25,8 @@ namespace
       {"Shear stress limit", limit}};
     return FrictionLaw::parse(
       {{"mu0", 0.25}},
-      [&](const std::string &name) { return entries.at(name); },
-      [](const std::string &name) { return "Contact / " + name; });
+      {[&](const std::string &name) { return entries.at(name); },
+       [](const std::string &name) { return "Contact / " + name; }});
   }
 
   std::string

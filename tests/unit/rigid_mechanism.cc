@@ -39,7 +39,7 @@ namespace
     const RigidMechanism<2> mechanism(setup.contact,
                                       modes,
                                       setup.solid.external_force(1., at_start));
-    Result                  result{mechanism.approach(at_start, 0.), 0., 0.};
+    Result                  result{mechanism.approach({at_start, 0.}), 0., 0.};
     const auto             &forces = result.approach.forces.normal;
     result.force     = std::accumulate(forces.begin(), forces.end(), 0.);
     const auto &node = setup.solid.parts()[0].body->nodes()[0];

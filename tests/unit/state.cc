@@ -30,9 +30,9 @@ namespace
         for (auto &entry : *vector)
           entry = std::sqrt(value += 1.);
       }
-    s.contact_forces               = InterfaceForces({0., 2.5});
-    s.contact_forces.tangential[1] = {{0.5, 0.25}};
-    s.gaps                         = {1e-5, 0.};
+    s.contact.forces               = InterfaceForces({0., 2.5});
+    s.contact.forces.tangential[1] = {{0.5, 0.25}};
+    s.contact.gaps                 = {1e-5, 0.};
     s.contact_debt                 = 1e-9;
     s.energy.initial               = 1.;
     s.energy.kinetic               = 2.;
@@ -43,10 +43,13 @@ namespace
     s.energy.returned              = 7.;
     s.energy.damping               = 8.;
     s.energy.friction              = 0.5;
-    s.slips                        = {{{0., 0.}}, {{1e-3, 0.}}};
-    s.slip_rates                   = {0., 3.};
-    s.slip_ways                    = {0., 0.5};
-    s.is_slipping                  = {0, 1};
+    s.energy.wear                  = 0.125;
+    s.contact.slips                = {{{0., 0.}}, {{1e-3, 0.}}};
+    s.contact.slip_rates           = {0., 3.};
+    s.contact.slip_ways            = {0., 0.5};
+    s.contact.is_slipping          = {0, 1};
+    s.contact.recessions           = {0., 1e-6};
+    s.contact.quantities           = {{"worn_depth", {0., 2e-6}}};
     s.n_iterations                 = 2;
     s.residual                     = 1e-12;
     s.kkt_residual                 = 1e-15;
@@ -86,7 +89,7 @@ BOOST_AUTO_TEST_CASE(copies_are_independent)
   const State original = example();
   State       copy     = original;
   copy.displacement *= 2.;
-  copy.contact_forces.normal[1] = 0.;
+  copy.contact.forces.normal[1] = 0.;
   BOOST_TEST(text(original) == text(example()));
 }
 
@@ -95,7 +98,7 @@ BOOST_AUTO_TEST_CASE(copies_are_independent)
 BOOST_AUTO_TEST_CASE(ledger)
 {
   BOOST_TEST(example().energy.scheme_loss() ==
-             1. + 4. + 5. + 6. + 7. - 8. - 0.5 - 2. - 3.);
+             1. + 4. + 5. + 6. + 7. - 2. - 3. - 8. - 0.5 - 0.125);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,12 +16,13 @@ namespace
   FrictionLaw
   friction(const std::string &coefficient)
   {
-    return FrictionLaw::parse(
-      {},
-      [&](const std::string &name) {
-        return name == "Friction coefficient" ? coefficient : "";
-      },
-      [](const std::string &name) { return name; });
+    return FrictionLaw::parse({},
+                              {[&](const std::string &name) {
+                                 return name == "Friction coefficient" ?
+                                          coefficient :
+                                          "";
+                               },
+                               [](const std::string &name) { return name; }});
   }
 
   // What is said of one body and one rigid body; empty if they are held.

@@ -3,6 +3,8 @@
 
 #include <signorini/contact/contact_pair.h>
 #include <signorini/contact/contact_point.h>
+#include <signorini/contact/contact_state.h>
+#include <signorini/contact/gap_offset.h>
 #include <signorini/contact/interface_numbering.h>
 #include <signorini/linear_algebra/types.h>
 #include <signorini/solid/dof_map.h>
@@ -73,19 +75,34 @@ namespace Signorini
     bool
     is_frictionless() const;
 
+    /** What is added to the gaps of a pair from now on. */
+    void
+    set_offset(const ContactPair<dim> &pair, GapOffset offset);
+
+    /** Before anything has happened: no force, no slip, nothing worn. */
+    ContactState
+    initial_state() const;
+
+    /** Marks the closed contacts that a velocity (m/s) makes slip. */
+    void
+    begin_slip(const std::vector<ContactPoint<dim>> &points,
+               const DofVector                      &velocity,
+               ContactState                         &state) const;
+
     /**
-     * Lets contactor nodes be inside of their target by up to these depths (m)
-     * at t = 0, less and less until a time (s), and not at all from then on; or
-     * for ever if the time is infinite. Gaps count from the depth allowed.
+     * Brings gaps, slip and what the contact processes keep to the end of a
+     * step. Forces and is_slipping are those of its end already.
+     * @param step_size s
      */
     void
-    allow_overclosure(const ContactPair<dim>    &pair,
-                      const std::vector<double> &depths,
-                      const double               end_time);
+    advance(const double                          step_size,
+            const std::vector<ContactPoint<dim>> &points,
+            ContactState                         &state) const;
 
     /**
      * What each candidate sees of its target.
-     * @param before the start of the step, from where slip is measured
+     * @param before the start of the step, from where slip is measured, and
+     *               whose state of the contacts says how much is worn
      */
     std::vector<ContactPoint<dim>>
     evaluate(const Configuration &now, const Configuration &before) const;
@@ -125,13 +142,13 @@ namespace Signorini
     pair_of(const unsigned int candidate) const;
 
     /**
-     * Rows A_k = -dg/dq and T_k = ds/dq on the interface unknowns, gaps, slips
-     * and friction bounds.
-     * @param coefficients mu of each candidate
+     * The constraint Jacobian on the interface unknowns, A_k = -dg/dq and
+     * T_k = ds/dq, with gaps, slips and friction bounds.
+     * @param at_start of the step, from which mu follows
      */
     std::vector<InterfaceContact>
     constraints(const std::vector<ContactPoint<dim>> &points,
-                const std::vector<double>            &coefficients) const;
+                const ContactState                   &at_start) const;
 
     /** forces += factor sum_k (lambda_k dg_k/dq - tau_k.ds_k/dq). */
     void
@@ -150,10 +167,15 @@ namespace Signorini
                             InterfaceMatrix &stiffness) const;
 
   private:
+    unsigned int
+    number_of(const ContactPair<dim> &pair) const;
+
+    // @param state may be null: nothing is worn.
     void
-    add_allowance(const ContactPair<dim>         &pair,
-                  const double                    time,
-                  std::vector<ContactPoint<dim>> &points) const;
+    add_offsets(const ContactPair<dim>         &pair,
+                const double                    time,
+                const ContactState             *state,
+                std::vector<ContactPoint<dim>> &points) const;
 
     void
     number_interface();
@@ -166,13 +188,7 @@ namespace Signorini
     const DofMap                 &dof_map_;
     std::vector<ContactPair<dim>> pairs_;
 
-    // What a pair may be overclosed by.
-    struct Allowance
-    {
-      std::vector<double> depths; // m; empty: nothing
-      double              end_time = 0.;
-    };
-    std::vector<Allowance> allowances_; // one a pair
+    std::vector<GapOffset> offsets_; // one a pair
 
     unsigned int       n_contacts_ = 0;
     double             extent_     = 0.;

@@ -1,9 +1,9 @@
 #ifndef signorini_contact_contact_pair_h
 #define signorini_contact_contact_pair_h
 
+#include <signorini/contact/contact_law.h>
 #include <signorini/contact/contact_target.h>
 #include <signorini/contact/contactor_surface.h>
-#include <signorini/contact/friction_law.h>
 #include <signorini/solid/dof_map.h>
 
 #include <memory>
@@ -26,7 +26,7 @@ namespace Signorini
     const Body<dim>                          *body;
     std::string                               boundary;
     std::unique_ptr<const ContactTarget<dim>> target;
-    FrictionLaw                               friction = FrictionLaw();
+    ContactLaw                                law;
     ContactConstraint constraint = ContactConstraint::node_to_surface;
   };
 
@@ -52,7 +52,7 @@ namespace Signorini
     std::string                               name; // prefix in the history
     const Body<dim>                          *body;
     std::unique_ptr<const ContactTarget<dim>> target;
-    FrictionLaw                               friction;
+    ContactLaw                                law;
     ContactConstraint                         constraint;
     ContactorSurface<dim>                     surface;   // with held nodes
     ContactorSurface<dim>                     contactor; // its candidates

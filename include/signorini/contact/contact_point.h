@@ -29,6 +29,8 @@ namespace Signorini
   {
     double gap = std::numeric_limits<double>::infinity(); // g, m
 
+    double recession = 0.; // of the surfaces by wear, which it contains, m
+
     // B, over which the contact force is spread, with the thickness or the
     // circumference, m^2. With finite strains that of the deformed surface.
     double area = 0.;

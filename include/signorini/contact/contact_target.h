@@ -16,11 +16,14 @@
 
 namespace Signorini
 {
-  /** Where all unknowns are at a time. A view: both must outlive it. */
+  struct ContactState;
+
+  /** Where all unknowns are at a time. A view: what it sees must outlive it. */
   struct Configuration
   {
-    const DofVector &displacement; // m
-    double           time;         // s
+    const DofVector    &displacement;      // m
+    double              time;              // s
+    const ContactState *contact = nullptr; // null: nothing happened yet
   };
 
   /** A point on the contactor, looking for its target. */

@@ -1,9 +1,10 @@
 #ifndef signorini_contact_friction_law_h
 #define signorini_contact_friction_law_h
 
+#include <signorini/contact/pair_entries.h>
+#include <signorini/input/entry_condition.h>
 #include <signorini/input/formula.h>
 
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -39,16 +40,13 @@ namespace Signorini
     static void
     declare_parameters(const bool in_pair, dealii::ParameterHandler &prm);
 
-    /**
-     * Reads the entries.
-     * @param get  gives the text of an entry
-     * @param path of an entry, for messages
-     * @throws InputError.
-     */
+    /** Which entries are read under which choice. */
+    static EntryConditions
+    conditions();
+
+    /** @throws InputError. */
     static FrictionLaw
-    parse(const Constants                                       &constants,
-          const std::function<std::string(const std::string &)> &get,
-          const std::function<std::string(const std::string &)> &path);
+    parse(const Constants &constants, const PairEntries &entries);
 
     bool
     is_frictionless() const

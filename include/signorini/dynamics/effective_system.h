@@ -100,14 +100,14 @@ namespace Signorini
      * @param residual    without contact forces, N
      * @param multipliers of the last iterate: the start of the search, and the
      *                    forces of the geometric contact term
-     * @param coefficients of friction, of each candidate
+     * @param at_start     of the contacts, at the start of the step
      * @throws InterfaceError.
      */
     Correction
     correct(const DofVector                      &residual,
             const std::vector<ContactPoint<dim>> &points,
             const InterfaceForces                &multipliers,
-            const std::vector<double>            &coefficients);
+            const ContactState                   &at_start);
 
     /** True if K^ is indefinite, and springs were added. */
     bool

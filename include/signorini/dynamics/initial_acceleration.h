@@ -18,7 +18,6 @@ namespace Signorini
     const SolidModel<dim>                             &solid,
     const typename SolidModel<dim>::RedistributedMass &mass,
     const std::vector<ContactPoint<dim>>              &points,
-    const std::vector<double>                         &coefficients,
     EffectiveSystem<dim>                              &system,
     State                                             &state);
 } // namespace Signorini

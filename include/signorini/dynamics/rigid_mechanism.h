@@ -57,7 +57,7 @@ namespace Signorini
      * modes.
      */
     Approach
-    approach(const DofVector &start, const double time) const;
+    approach(const Configuration &start) const;
 
   private:
     // Contacts within a distance, and how they push.

@@ -47,6 +47,11 @@ namespace Signorini
     double
     friction() const;
 
+    /** What contact forces do as worn surfaces recede: taken from the bodies,
+     * J. */
+    double
+    wear() const;
+
     /**
      * The work that is none in the continuous problem: of forces between bodies
      * all but friction, since they are pairs; of a target with a given motion

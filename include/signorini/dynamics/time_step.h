@@ -115,11 +115,10 @@ namespace Signorini
     // The multipliers of an iterate and how they changed.
     struct Iterate
     {
-      InterfaceForces     multipliers;
-      std::vector<char>   is_slipping;
-      std::vector<double> coefficients; // of friction
-      double              force_change; // over the largest force
-      double              motion;       // largest of the correction, m
+      InterfaceForces   multipliers;
+      std::vector<char> is_slipping;
+      double            force_change; // over the largest force
+      double            motion;       // largest of the correction, m
     };
 
     // Moves free bodies of a static run to where contacts can balance their

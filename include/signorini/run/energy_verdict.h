@@ -8,6 +8,10 @@
 
 namespace Signorini
 {
+  /** The ledger as a line: what came in = where it is; zeros are left out. */
+  std::string
+  ledger_in_words(const EnergyLedger &energy);
+
   /**
    * What the energy ledger says about a run. Its last term, what the time
    * integration lost or made, is an error, seen beside the turnover: the

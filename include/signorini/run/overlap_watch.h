@@ -41,14 +41,11 @@ namespace Signorini
     is_due(const Configuration &configuration) const;
 
     /**
-     * @param normal_forces of all candidates, N
-     * @param gaps          of all candidates, m
+     * @param configuration with the state of its contacts
      * @throws ComputationError with the place, the names and the remedy.
      */
     void
-    refuse(const Configuration       &configuration,
-           const std::vector<double> &normal_forces,
-           const std::vector<double> &gaps);
+    refuse(const Configuration &configuration);
 
     /** A warning if somewhere between nodes that carry forces the two sides lay
      * in each other by more than a 20th of an element, or empty. */

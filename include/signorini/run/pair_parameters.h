@@ -1,8 +1,8 @@
 #ifndef signorini_run_pair_parameters_h
 #define signorini_run_pair_parameters_h
 
+#include <signorini/contact/contact_law.h>
 #include <signorini/contact/contact_model.h>
-#include <signorini/contact/friction_law.h>
 #include <signorini/contact/surface_interpolation.h>
 #include <signorini/input/entry_condition.h>
 #include <signorini/input/space_time_function.h>
@@ -29,7 +29,7 @@ namespace Signorini
    */
   struct PairParameters
   {
-    FrictionLaw friction;
+    ContactLaw law;
 
     // None: what the meshes ask for, see constraint_for().
     std::optional<ContactConstraint> constraint;

@@ -10,6 +10,7 @@
 #include <signorini/output/surface_writer.h>
 #include <signorini/output/timings.h>
 #include <signorini/run/problem.h>
+#include <signorini/run/result_columns.h>
 #include <signorini/run/result_fields.h>
 #include <signorini/run/run_record.h>
 #include <signorini/run/state_watch.h>
@@ -120,6 +121,7 @@ namespace Signorini
     ResultFields<dim>                     fields_;
     ExpectedResults                       expected_;
     CheckpointClock                       checkpoint_clock_;
+    std::vector<ResultColumn<dim>>        columns_;
     RunRecord                             record_;
     State                                 shown_state_; // of the last fields
     double                                start_time_;  // of this run, s
