@@ -2,6 +2,7 @@
 #include <signorini/run/error_report.h>
 #include <signorini/run/interruption.h>
 #include <signorini/run/platform.h>
+#include <signorini/run/reference.h>
 #include <signorini/run/run.h>
 #include <signorini/run/threads.h>
 
@@ -69,7 +70,15 @@ namespace
         if (files.empty())
           files.emplace_back();
         for (const auto &file : files)
-          print_parameters(file, command_line.run_options.overrides, std::cout);
+          print_parameters(file,
+                           command_line.run_options.overrides,
+                           command_line.parameter_format,
+                           std::cout);
+        return done;
+      }
+    if (command_line.reference_folder)
+      {
+        write_reference(*command_line.reference_folder);
         return done;
       }
     catch_interruptions();

@@ -24,4 +24,13 @@ expect 'subsection Body foot' $file
 expect 'set Corners = 0, -3e-3, 0 ; 4e-3, 0, 0.6e-3' $file
 expect 'set Step size += 0.125' $file --set 'Time/Step size=0.125'
 expect 'subsection Pair foot.foot on base.top' $file
+
+well_formed() { # the format, and the module of Python that reads it
+  "$program" --print-parameters --format "$1" $file | python3 -c "import sys, $2" || {
+    echo "--print-parameters --format $1 $file: not well-formed"
+    failed=1
+  }
+}
+well_formed xml 'xml.etree.ElementTree as x; x.parse(sys.stdin)'
+well_formed json 'json; json.load(sys.stdin)["Contact"]["Pair foot.foot on base.top"]["Surface"]'
 exit $failed

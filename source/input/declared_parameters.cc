@@ -44,14 +44,20 @@ namespace Signorini
           const auto        pattern = child.find("pattern_description");
           const auto        alias   = child.find("alias");
           if (pattern != child.not_found() && pattern->second.empty())
-            section.entries.push_back({name, pattern->second.data()});
+            section.entries.push_back(
+              {name,
+               pattern->second.data(),
+               child.get<std::string>("value"),
+               child.get<std::string>("default_value"),
+               child.get<std::string>("documentation")});
           else if (alias != child.not_found() && alias->second.empty())
             {
               // An alias follows the entry it stands for.
               const DeclaredSection::Entry *original =
                 section.find_entry(alias->second.data());
               section.entries.push_back(
-                {name, original == nullptr ? "" : original->pattern});
+                original == nullptr ? DeclaredSection::Entry() : *original);
+              section.entries.back().name = name;
             }
           else
             section.sections.emplace_back(name, section_of(child));

@@ -4,6 +4,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Signorini
@@ -23,6 +24,14 @@ namespace Signorini
       options.add_options()("print-parameters",
                             "print all entries with default and meaning, of "
                             "the files with their values");
+      options.add_options()("format",
+                            po::value<std::string>()->value_name("FORMAT"),
+                            "of --print-parameters: prm (default), xml for "
+                            "deal.II's parameter_gui, or json");
+      options.add_options()("write-reference",
+                            po::value<std::string>()->value_name("DIR"),
+                            "write the reference of all entries to DIR, as "
+                            "HTML, Markdown, XML and JSON");
       options.add_options()("output-directory",
                             po::value<std::string>()->value_name("DIR"),
                             "folder for the results, instead of the one in "
@@ -129,10 +138,32 @@ namespace Signorini
 
 
 
+    ParameterFormat
+    parameter_format(const po::variables_map &values)
+    {
+      if (values.count("format") == 0)
+        return ParameterFormat::prm;
+      if (values.count("print-parameters") == 0)
+        throw CommandLineError("--format is for --print-parameters: give both "
+                               "of them.");
+      const std::string name  = values["format"].as<std::string>();
+      const Texts       names = {"prm", "xml", "json"};
+      const auto        found = std::find(names.begin(), names.end(), name);
+      if (found == names.end())
+        throw CommandLineError("--format: \"" + name + "\" is none of " +
+                               comma_separated(names) + ".");
+      return ParameterFormat(found - names.begin());
+    }
+
+
+
     void
     refuse_contradictions(const CommandLine &line)
     {
       const RunOptions &options = line.run_options;
+      if (line.reference_folder && !line.prm_files.empty())
+        throw CommandLineError("--write-reference is of all problems: give no "
+                               ".prm file.");
       if (!options.resume)
         return;
       if (options.overwrite)
@@ -167,6 +198,7 @@ namespace Signorini
       result.help                   = values.count("help") > 0;
       result.version                = values.count("version") > 0;
       result.print_parameters       = values.count("print-parameters") > 0;
+      result.parameter_format       = parameter_format(values);
       result.threads                = count(values, "threads");
       result.run_options.check_only = values.count("check") > 0;
       result.run_options.overwrite  = values.count("overwrite") > 0;
@@ -180,6 +212,8 @@ namespace Signorini
       if (values.count("output-directory") > 0)
         result.run_options.output_directory =
           values["output-directory"].as<std::string>();
+      if (values.count("write-reference") > 0)
+        result.reference_folder = values["write-reference"].as<std::string>();
       refuse_contradictions(result);
       return result;
     }
@@ -207,7 +241,8 @@ namespace Signorini
                                ".");
       }
     if (result.prm_files.empty() && result.interface_files.empty() &&
-        !result.help && !result.version && !result.print_parameters)
+        !result.help && !result.version && !result.print_parameters &&
+        !result.reference_folder)
       throw CommandLineError("No .prm file is given.");
     return result;
   }

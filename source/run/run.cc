@@ -1,5 +1,6 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/parameter_file.h>
+#include <signorini/input/parameter_json.h>
 #include <signorini/input/shell_word.h>
 #include <signorini/input/unread_entries.h>
 #include <signorini/output/history_writer.h>
@@ -334,6 +335,7 @@ namespace Signorini
   void
   print_parameters(const std::string              &prm_file,
                    const std::vector<std::string> &overrides,
+                   const ParameterFormat           format,
                    std::ostream                   &stream)
   {
     ParameterHandler prm;
@@ -353,6 +355,19 @@ namespace Signorini
         declare_problem(ProblemOutline::read(file), prm);
         file.apply(prm);
       }
-    prm.print_parameters(stream, ParameterHandler::Text);
+    switch (format)
+      {
+        case ParameterFormat::prm:
+          prm.print_parameters(stream, ParameterHandler::Text);
+          break;
+        case ParameterFormat::xml:
+          prm.print_parameters(stream,
+                               ParameterHandler::XML |
+                                 ParameterHandler::KeepDeclarationOrder);
+          break;
+        case ParameterFormat::json:
+          stream << parameter_json(declared_parameters(prm));
+          break;
+      }
   }
 } // namespace Signorini

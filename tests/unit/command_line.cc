@@ -83,6 +83,10 @@ BOOST_AUTO_TEST_CASE(all_options)
   BOOST_TEST(parse({"--help"}).help);
   BOOST_TEST(parse({"--version"}).version);
   BOOST_TEST(parse({"--print-parameters"}).print_parameters);
+  BOOST_TEST(parse({"--write-reference=doc"}).reference_folder.value() ==
+             "doc");
+  BOOST_TEST((parse({"--print-parameters", "--format=json"}).parameter_format ==
+              Signorini::ParameterFormat::json));
 }
 
 BOOST_AUTO_TEST_CASE(resume)
@@ -151,6 +155,12 @@ BOOST_AUTO_TEST_CASE(messages)
              "--resume computes, --check does not: give one of them.");
   BOOST_TEST(message_of({"a.prm", "b.prm", "--resume-from=output/a"}) ==
              "--resume-from is for a single .prm file.");
+  BOOST_TEST(message_of({"a.prm", "--format=xml"}) ==
+             "--format is for --print-parameters: give both of them.");
+  BOOST_TEST(message_of({"--print-parameters", "--format", "yaml"}) ==
+             "--format: \"yaml\" is none of prm, xml, json.");
+  BOOST_TEST(message_of({"--write-reference=doc", "a.prm"}) ==
+             "--write-reference is of all problems: give no .prm file.");
   BOOST_TEST(message_of({"a.prm", "--check=yes"}) ==
              "Command line: option '--check' does not take any arguments.");
 }
@@ -159,6 +169,8 @@ BOOST_AUTO_TEST_CASE(help_names_every_option)
 {
   for (const std::string option : {"--check",
                                    "--print-parameters",
+                                   "--format FORMAT",
+                                   "--write-reference DIR",
                                    "--output-directory DIR",
                                    "--overwrite",
                                    "--resume",

@@ -21,6 +21,10 @@ namespace Signorini
 
       /** Machine description of the pattern of the value. */
       std::string pattern;
+
+      std::string value;
+      std::string default_value;
+      std::string documentation;
     };
 
     std::vector<Entry> entries;

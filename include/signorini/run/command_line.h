@@ -30,6 +30,12 @@ namespace Signorini
     bool version          = false;
     bool print_parameters = false;
 
+    /** That of the printed parameters. */
+    ParameterFormat parameter_format = ParameterFormat::prm;
+
+    /** Where the reference of all entries is to go. */
+    std::optional<std::string> reference_folder;
+
     /** Upper limit of threads; without it all cores are used. */
     std::optional<unsigned int> threads;
 

@@ -47,9 +47,16 @@ namespace Signorini
   void
   run_problem(const std::string &prm_file, const RunOptions &options);
 
+  /** How entries are printed; xml and json are those of a ParameterHandler. */
+  enum class ParameterFormat
+  {
+    prm,
+    xml,
+    json
+  };
+
   /**
-   * Print every entry of a problem with its value and documentation, in the
-   * syntax of a .prm.
+   * Print every entry of a problem with its value and documentation.
    * @param prm_file empty: a problem with one body and one rigid body, in 3-D
    *                 if @p overrides set the Formulation to it
    * @throws InputError.
@@ -57,6 +64,7 @@ namespace Signorini
   void
   print_parameters(const std::string              &prm_file,
                    const std::vector<std::string> &overrides,
+                   const ParameterFormat           format,
                    std::ostream                   &stream);
 
   /**

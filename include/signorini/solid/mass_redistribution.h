@@ -43,7 +43,6 @@ namespace Signorini
      *
      * @param contact_nodes nodes that lose their mass
      * @param dof_map       its constrained unknowns keep their mass
-     * @param is_hanging    unknowns of hanging nodes, which take no mass
      * @throws InputError when a body has too few inner nodes.
      */
     template <int dim>

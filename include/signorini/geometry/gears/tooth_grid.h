@@ -23,6 +23,7 @@ namespace Signorini
    * by @p n_cells. Their boundary follows the profile, by equal arc lengths;
    * its lines have a ToothSide as boundary_id.
    *
+   * @verbatim
    *         A____A          The tooth above JJ and its foot above KK go across.
    *         /    \          Each root has its own patch from the middle K of
    *       J/______\J        the fillet to the middle R of the space, above the
@@ -30,6 +31,7 @@ namespace Signorini
    *   |   \        /   |    in K and share the half plane there, so that no
    *  Q|____P______P____|Q   angle is sharp.
    *   |________________|
+   * @endverbatim
    *
    * @param rim_height radius of the bore, or y of the back, m
    */
