@@ -42,8 +42,8 @@ namespace Signorini
     if (k == 0.)
       return nullptr;
     if (entries.get("Hardness").empty())
-      throw InputError(entries.path("Hardness") +
-                       ": found nothing, but the Wear coefficient needs it. "
+      throw InputError(entries.path("Hardness"),
+                       "found nothing, but the Wear coefficient needs it. "
                        "Give the hardness of the softer body, in Pa.");
     return std::make_unique<const ArchardWear>(
       k / parse_positive(entries, "Hardness"));

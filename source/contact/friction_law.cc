@@ -1,5 +1,6 @@
 #include <signorini/contact/friction_law.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/number_text.h>
 
 namespace Signorini
 {
@@ -27,30 +28,35 @@ namespace Signorini
   void
   FrictionLaw::declare_parameters(const bool in_pair, ParameterHandler &prm)
   {
-    const auto declare = [&](const std::string &name,
-                             const std::string &value,
-                             const std::string &text) {
-      declare_pair_entry(name, value, text, in_pair, prm);
+    const auto declare = [&](const std::string           &name,
+                             const std::string           &value,
+                             const std::string           &text,
+                             const Patterns::PatternBase &pattern) {
+      declare_pair_entry(name, value, text, in_pair, prm, pattern);
     };
     declare("Friction coefficient",
             "0",
             "Coulomb's mu: friction is at most mu times the contact pressure. "
-            "The static one, if there are two. Unit: 1.");
+            "The static one, if there are two. Unit: 1.",
+            NumberText());
     declare("Kinetic friction coefficient",
             "",
             "mu of a contact that slipped in the step before. A function of v, "
             "the slip rate in m/s, or a number. Empty: the same as Friction "
             "coefficient. Where it drops at once, the nodes of a contact break "
             "loose one after another, sooner than the mean of their forces "
-            "says; with a Slip weakening length they go together. Unit: 1.");
+            "says; with a Slip weakening length they go together. Unit: 1.",
+            Patterns::Anything());
     declare("Slip weakening length",
             "0",
             "Way of slip over which the coefficient falls from the static to "
-            "the kinetic one, in proportion; 0: at once. Unit: m.");
+            "the kinetic one, in proportion; 0: at once. Unit: m.",
+            NumberText());
     declare("Shear stress limit",
             "",
             "tau_max: friction is also at most this stress (Tresca's law where "
-            "mu p is greater). Empty: none. Unit: Pa.");
+            "mu p is greater). Empty: none. Unit: Pa.",
+            NumberText());
   }
 
 

@@ -9,15 +9,16 @@ namespace Signorini
   using namespace dealii;
 
   void
-  declare_pair_entry(const std::string &name,
-                     const std::string &default_value,
-                     const std::string &documentation,
-                     const bool         in_pair,
-                     ParameterHandler  &prm)
+  declare_pair_entry(const std::string           &name,
+                     const std::string           &default_value,
+                     const std::string           &documentation,
+                     const bool                   in_pair,
+                     ParameterHandler            &prm,
+                     const Patterns::PatternBase &pattern)
   {
     prm.declare_entry(name,
                       in_pair ? "" : default_value,
-                      Patterns::Anything(),
+                      pattern,
                       in_pair ?
                         "As in Contact, for this pair. Empty: as there." :
                         documentation);
@@ -31,8 +32,8 @@ namespace Signorini
     const std::string text  = entries.get(name);
     const double      value = parse_number(text, entries.path(name));
     if (!(value >= 0.))
-      throw InputError(entries.path(name) + ": found " + text +
-                       ", but it must not be negative.");
+      throw InputError(entries.path(name),
+                       "found " + text + ", but it must not be negative.");
     return value;
   }
 
@@ -44,8 +45,8 @@ namespace Signorini
     const std::string text  = entries.get(name);
     const double      value = parse_number(text, entries.path(name));
     if (!(value > 0.))
-      throw InputError(entries.path(name) + ": found " + text +
-                       ", but it must be greater than zero.");
+      throw InputError(entries.path(name),
+                       "found " + text + ", but it must be greater than zero.");
     return value;
   }
 } // namespace Signorini

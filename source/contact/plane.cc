@@ -2,6 +2,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -24,11 +25,11 @@ namespace Signorini
     prm.enter_subsection("Plane");
     prm.declare_entry("Point",
                       dim == 2 ? "0, 0" : "0, 0, 0",
-                      Patterns::Anything(),
+                      NumberText(),
                       "A point on it, at t = 0. Unit: m.");
     prm.declare_entry("Normal",
                       dim == 2 ? "0, 1" : "0, 0, 1",
-                      Patterns::Anything(),
+                      NumberText(),
                       "Its normal, pointing away from the rigid side; any "
                       "length.");
     prm.leave_subsection();

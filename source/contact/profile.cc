@@ -6,6 +6,7 @@
 #include <signorini/curves/point_table.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -29,7 +30,7 @@ namespace Signorini
     prm.enter_subsection("Profile");
     prm.declare_entry("Points",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "The points of the curve in their order, `x, y ; x, y ; "
                       "...'. Give one of Points, File and Outline. Unit: m.");
     prm.declare_entry("File",
@@ -39,7 +40,7 @@ namespace Signorini
                       "follows a # is a comment. Unit: m.");
     prm.declare_entry("Outline",
                       "",
-                      Patterns::Anything(),
+                      NumberText({"arc", "left", "right", "about", "to"}),
                       "Lines and arcs, one after the other: `0, 0 ; 1, 0 ; arc "
                       "1.5, 0.5 to 1, 1 ; left about 0.5, 1 to 0, 1'. `x, y' "
                       "is a straight line to there, `arc a, b to x, y' an arc "

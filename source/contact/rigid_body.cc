@@ -2,6 +2,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -51,7 +52,7 @@ namespace Signorini
                       "components do not follow it. Unit: m.");
     prm.declare_entry("Centre of rotation",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "The point about which it turns; of a free body its "
                       "centre of mass. Empty: the origin. Unit: m.");
     prm.declare_entry("Free",

@@ -2,6 +2,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -30,12 +31,12 @@ namespace Signorini
     prm.enter_subsection(name);
     prm.declare_entry(name == "Cylinder" ? "Point on axis" : "Centre",
                       dim == 2 ? "0, 0" : "0, 0, 0",
-                      Patterns::Anything(),
+                      NumberText(),
                       "Where it is at t = 0. Unit: m.");
     if (name == "Cylinder")
       prm.declare_entry("Axis",
                         "0, 0, 1",
-                        Patterns::Anything(),
+                        NumberText(),
                         "Direction of its axis; any length.");
     prm.declare_entry("Radius",
                       "1",

@@ -3,6 +3,7 @@
 #include <signorini/geometry/mesh_cutout.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/grid_tools.h>
@@ -165,7 +166,7 @@ namespace Signorini
   {
     prm.declare_entry("Keep cells near",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       std::string("`") + (dim == 2 ? "x, y" : "x, y, z") +
                         " : radius ; ...': the part of the mesh that stays, "
                         "for a submodel: the cells that reach into a circle or "

@@ -8,6 +8,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>
+#include <signorini/input/number_text.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
@@ -156,7 +157,7 @@ namespace Signorini
                       "0 to 30.");
     prm.declare_entry("Refinements towards",
                       "",
-                      Patterns::Anything(),
+                      NumberText::behind_names(),
                       "`boundary : times ; ...': how often the cells on a "
                       "boundary are cut in half. `boundary : times : distance "
                       "; ...': the same for all cells with a vertex not "
@@ -164,7 +165,7 @@ namespace Signorini
                       "the distance: m.");
     prm.declare_entry("Refinements near",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "`" + point +
                         " : radius : times ; ...': how often the cells that "
                         "reach into a circle or sphere around a point are cut "

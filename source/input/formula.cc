@@ -4,7 +4,6 @@
 #include <signorini/input/nearest_name.h>
 #include <signorini/input/silenced_errors.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
 #include <algorithm>
@@ -117,12 +116,14 @@ namespace Signorini
     allowed_names(const std::vector<std::string> &variables,
                   const Constants                &constants)
     {
-      return " Allowed are " +
-             (variables.empty() ?
-                "no variables" :
-                "the variables " + comma_separated(variables)) +
-             ", the constants " + comma_separated(names_of(constants)) +
-             " (more of them: entry Constants), and the functions " +
+      const std::string allowed_constants =
+        "the constants " + comma_separated(names_of(constants)) +
+        " (more of them: entry Constants), and ";
+      if (variables.empty())
+        return " Allowed are numbers, " + allowed_constants +
+               "functions such as sqrt, sin and max.";
+      return " Allowed are the variables " + comma_separated(variables) + ", " +
+             allowed_constants + "the functions " +
              comma_separated(functions()) + ".";
     }
 
@@ -170,28 +171,33 @@ namespace Signorini
   Constants
   parse_constants(const std::string &text, const std::string &entry)
   {
-    Constants constants = {{"pi", numbers::PI}};
+    Constants constants = only_pi();
     for (const std::string &item : split_list(text, ','))
       {
         const std::size_t equal  = item.find('=');
         const std::string name   = Utilities::trim(item.substr(0, equal));
-        const std::string prefix = entry + ": found \"" + item + "\"";
+        const std::string prefix = "found \"" + item + "\"";
         if (equal == std::string::npos || !is_name(name))
-          throw InputError(prefix +
-                           ". Write \"name = number\" with commas between. A "
-                           "name has letters, digits and _, and begins with no "
-                           "digit.");
+          throw InputError(
+            entry,
+            prefix + ". Write \"name = number\" with commas between. A "
+                     "name has letters, digits and _, and begins with no "
+                     "digit.");
         if (contains(Formula::space_and_time, name) || name == "v")
-          throw InputError(prefix +
-                           ", but x, y, z, t and v are the variables of "
-                           "expressions. Choose another name.");
+          throw InputError(entry,
+                           prefix +
+                             ", but x, y, z, t and v are the variables of "
+                             "expressions. Choose another name.");
         if (contains(functions(), name) || name == "_e" || name == "_pi")
-          throw InputError(prefix + ", but " + name +
-                           " is the name of a function. Choose another one.");
-        if (!constants.emplace(name, 0.).second)
-          throw InputError(prefix + ", but " + name +
-                           " has a value already. Choose another name.");
-        constants[name] = parse_number(item.substr(equal + 1), entry);
+          throw InputError(entry,
+                           prefix + ", but " + name +
+                             " is the name of a function. Choose another one.");
+        if (constants.count(name) > 0)
+          throw InputError(entry,
+                           prefix + ", but " + name +
+                             " has a value already. Choose another name.");
+        constants[name] =
+          parse_number(item.substr(equal + 1), entry, constants);
       }
     return constants;
   }
@@ -210,13 +216,14 @@ namespace Signorini
   {
     AssertIndexRange(variables.size(), 5);
     if (text_.size() > longest_expression)
-      throw InputError(
-        entry + ": the expression has " + std::to_string(text_.size()) +
-        " characters, allowed are " + std::to_string(longest_expression) + ".");
+      throw InputError(entry,
+                       "the expression has " + std::to_string(text_.size()) +
+                         " characters, allowed are " +
+                         std::to_string(longest_expression) + ".");
     check_names(constants);
     const std::string mistake = misunderstanding(text_);
     if (!mistake.empty())
-      throw InputError(entry + ": the expression \"" + text_ + "\"" + mistake);
+      throw InputError(entry, "the expression \"" + text_ + "\"" + mistake);
 
     // The parser wants three coordinates and the time.
     std::string names = comma_separated(variables_);
@@ -239,8 +246,9 @@ namespace Signorini
       }
     catch (...) // muParser's own error is no std::exception
       {}
-    throw InputError(entry + ": cannot read the expression \"" + text_ + "\"." +
-                     allowed_names(variables_, constants) + reason);
+    throw InputError(entry,
+                     "cannot read the expression \"" + text_ + "\"." +
+                       allowed_names(variables_, constants) + reason);
   }
 
 
@@ -248,25 +256,27 @@ namespace Signorini
   void
   Formula::check_names(const Constants &constants) const
   {
-    const std::string begin = entry_ + ": the expression \"" + text_ + "\" ";
+    const std::string begin = "the expression \"" + text_ + "\" ";
     for (const std::string &name : names_)
       {
         if (contains(variables_, name) || contains(functions(), name) ||
             constants.count(name) > 0 || name == "_e" || name == "_pi")
           continue;
         if (contains(space_and_time, name) || name == "v")
-          throw InputError(
-            begin + "depends on " + name + ", but it may " +
-            (variables_.empty() ?
-               "depend on no variable" :
-               "depend on " + comma_separated(variables_) + " only") +
-            ".");
+          throw InputError(entry_,
+                           begin + "depends on " + name + ", but it may " +
+                             (variables_.empty() ?
+                                "depend on no variable" :
+                                "depend on " + comma_separated(variables_) +
+                                  " only") +
+                             ".");
         std::vector<std::string> known = names_of(constants);
         known.insert(known.end(), variables_.begin(), variables_.end());
         known.insert(known.end(), functions().begin(), functions().end());
-        throw InputError(begin + "has the unknown name \"" + name + "\"." +
-                         did_you_mean(name, known) +
-                         allowed_names(variables_, constants));
+        throw InputError(entry_,
+                         begin + "has the unknown name \"" + name + "\"." +
+                           did_you_mean(name, known) +
+                           allowed_names(variables_, constants));
       }
   }
 
@@ -293,13 +303,13 @@ namespace Signorini
                            const double               result) const
   {
     std::ostringstream message;
-    message << entry_ << ": the expression \"" << text_ << "\" is "
+    message << "the expression \"" << text_ << "\" is "
             << (std::isnan(result) ? "not a number" : "infinite");
     for (std::size_t i = 0; i < values.size(); ++i)
       message << (i == 0 ? " at " : ", ") << variables_[i] << " = "
               << values[i];
     message << ". It needs a finite value wherever it is used.";
-    throw InputError(message.str());
+    throw InputError(entry_, message.str());
   }
 
 

@@ -1,9 +1,8 @@
-#include <signorini/input/formula.h>
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
@@ -17,15 +16,18 @@ namespace Signorini
   {
     if (Utilities::trim(text).empty())
       return {};
-    std::vector<std::string> items;
-    std::size_t              begin = 0;
-    while (begin <= text.size())
-      {
-        const std::size_t end =
-          std::min(text.find(separator, begin), text.size());
-        items.push_back(Utilities::trim(text.substr(begin, end - begin)));
-        begin = end + 1;
-      }
+    std::vector<std::string> items(1);
+    int                      depth = 0; // of parentheses
+    for (const char c : text)
+      if (c == separator && depth <= 0)
+        items.emplace_back();
+      else
+        {
+          depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+          items.back() += c;
+        }
+    for (std::string &item : items)
+      item = Utilities::trim(item);
     return items;
   }
 
@@ -39,15 +41,18 @@ namespace Signorini
       {
         const std::size_t colon = item.find(':');
         if (colon == std::string::npos)
-          throw InputError(entry + ": found \"" + item +
-                           "\", which has no colon. Write \"name: value\", "
-                           "and \" | \" between two of them.");
+          throw InputError(entry,
+                           "found \"" + item +
+                             "\", which has no colon. Write \"name: value\", "
+                             "and \" | \" between two of them.");
         const NamedItem named = {Utilities::trim(item.substr(0, colon)),
                                  Utilities::trim(item.substr(colon + 1))};
         if (named.name.empty() || named.value.empty())
-          throw InputError(entry + ": found \"" + item +
-                           "\", where the name or the value is empty. Write "
-                           "\"name: value\", and \" | \" between two of them.");
+          throw InputError(
+            entry,
+            "found \"" + item +
+              "\", where the name or the value is empty. Write "
+              "\"name: value\", and \" | \" between two of them.");
         items.push_back(named);
       }
     return items;
@@ -70,8 +75,9 @@ namespace Signorini
     for (unsigned int c = 0; c < dim; ++c)
       if (text == component_name(c))
         return c;
-    throw InputError(entry + ": found component \"" + text +
-                     "\", allowed are x, y" + (dim == 3 ? ", z." : "."));
+    throw InputError(entry,
+                     "found component \"" + text + "\", allowed are x, y" +
+                       (dim == 3 ? ", z." : "."));
   }
 
 
@@ -86,21 +92,25 @@ namespace Signorini
 
 
   double
-  parse_number(const std::string &text, const std::string &entry)
+  parse_number(const std::string &text,
+               const std::string &entry,
+               const Constants   &constants)
   {
-    const std::string found =
-      entry + ": found \"" + Utilities::trim(text) + "\", ";
-    double value = 0.;
+    const std::string found = "found \"" + Utilities::trim(text) + "\", ";
+    double            value = 0.;
     try
       {
-        value = Formula(text, {}, {{"pi", numbers::PI}}, entry).value({});
+        value = Formula(text, {}, constants, entry).value({});
       }
-    catch (const InputError &)
+    catch (const InputError &error)
       {
-        throw InputError(found + "expected a number or a constant expression.");
+        throw InputError(entry,
+                         found +
+                           "expected a number or a constant expression. " +
+                           as_sentence(error.text()));
       }
     if (!is_sane(value))
-      throw InputError(found + sane_magnitudes + ".");
+      throw InputError(entry, found + sane_magnitudes + ".");
     return value;
   }
 
@@ -108,16 +118,19 @@ namespace Signorini
 
   template <int dim>
   Point<dim>
-  parse_point(const std::string &text, const std::string &entry)
+  parse_point(const std::string &text,
+              const std::string &entry,
+              const Constants   &constants)
   {
     const auto coordinates = split_list(text, ',');
     if (coordinates.size() != dim)
-      throw InputError(entry + ": found \"" + text + "\", expected " +
-                       std::to_string(dim) +
-                       " coordinates in m, separated by commas.");
+      throw InputError(entry,
+                       "found \"" + text + "\", expected " +
+                         std::to_string(dim) +
+                         " coordinates in m, separated by commas.");
     Point<dim> point;
     for (unsigned int d = 0; d < dim; ++d)
-      point[d] = parse_number(coordinates[d], entry);
+      point[d] = parse_number(coordinates[d], entry, constants);
     return point;
   }
 
@@ -127,7 +140,8 @@ namespace Signorini
   template unsigned int parse_component<dim>(const std::string &,  \
                                              const std::string &); \
   template Point<dim>   parse_point<dim>(const std::string &,      \
-                                       const std::string &);
+                                       const std::string &,      \
+                                       const Constants &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -1,7 +1,9 @@
+#include <signorini/input/as_text.h>
 #include <signorini/input/declared_parameters.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/named_list.h>
 #include <signorini/input/nearest_name.h>
+#include <signorini/input/number_text.h>
 #include <signorini/input/parameter_file.h>
 #include <signorini/input/pattern_in_words.h>
 
@@ -147,8 +149,9 @@ namespace Signorini
     class Application
     {
     public:
-      explicit Application(ParameterHandler &prm)
-        : prm(prm)
+      Application(const Constants &constants, ParameterHandler &prm)
+        : constants(constants)
+        , prm(prm)
         , top(declared_parameters(prm))
       {}
 
@@ -159,8 +162,14 @@ namespace Signorini
 
     private:
       void
-      set(const ParameterStatement &statement, const DeclaredSection &section);
+      set(const ParameterStatement &statement, const std::string &pattern);
 
+      void
+      set_value(const ParameterStatement &statement,
+                const std::string        &pattern,
+                const std::string        &value);
+
+      const Constants       constants;
       ParameterHandler     &prm;
       const DeclaredSection top;
 
@@ -190,36 +199,58 @@ namespace Signorini
         }
       if (statement.entry.empty())
         return;
-      if (section->find_entry(statement.entry) == nullptr)
+      const DeclaredSection::Entry *entry =
+        section->find_entry(statement.entry);
+      if (entry == nullptr)
         problems.push_back(unknown_entry(statement, *section, top));
       else
-        set(statement, *section);
+        set(statement, entry->pattern);
     }
 
 
 
     void
     Application::set(const ParameterStatement &statement,
-                     const DeclaredSection    &section)
+                     const std::string        &pattern)
     {
-      const std::string &pattern = section.find_entry(statement.entry)->pattern;
-      if (pattern.find("[Double") != std::string::npos &&
-          !are_sane(statement.value))
+      try
+        {
+          set_value(statement,
+                    pattern,
+                    evaluate_numbers(statement.value, pattern, constants));
+        }
+      catch (const InputError &error)
+        {
+          problems.push_back(wrong_value(statement, pattern) + " " +
+                             as_sentence(error.text()));
+        }
+    }
+
+
+
+    void
+    Application::set_value(const ParameterStatement &statement,
+                           const std::string        &pattern,
+                           const std::string        &value)
+    {
+      if (pattern.find("[Double") != std::string::npos && !are_sane(value))
         {
           problems.push_back(place_of(statement.origin, statement.section) +
                              "entry \"" + statement.entry + "\": found \"" +
-                             statement.value + "\"; " + sane_magnitudes + ".");
+                             value + "\"; " + sane_magnitudes + ".");
           return;
         }
       for (const std::string &name : statement.section)
         prm.enter_subsection(name);
       try
         {
-          prm.set(statement.entry, statement.value);
+          prm.set(statement.entry, value);
         }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
         {
-          problems.push_back(wrong_value(statement, pattern));
+          problems.push_back(
+            wrong_value(statement, pattern) +
+            (value == statement.value ? "" : " Its value is " + value + "."));
         }
       for (std::size_t i = 0; i < statement.section.size(); ++i)
         prm.leave_subsection();
@@ -280,10 +311,26 @@ namespace Signorini
 
 
 
+  Constants
+  ParameterFile::constants() const
+  {
+    const std::string entry = "Constants";
+    try
+      {
+        return parse_constants(get(entry, ""), entry);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(where(entry) + ": " + error.what());
+      }
+  }
+
+
+
   void
   ParameterFile::apply(ParameterHandler &prm) const
   {
-    Application application(prm);
+    Application application(constants(), prm);
     for (const ParameterStatement &statement : statements)
       application.apply(statement);
 

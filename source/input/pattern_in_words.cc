@@ -118,6 +118,8 @@ namespace Signorini
                 "a list, separated by \",\", of: " :
                 "one of ") +
              comma_separated(names);
+    if (description.rfind("[Numbers", 0) == 0)
+      return "numbers";
     if (description == "[Bool]")
       return "true or false";
     if (description == "[Anything]")

@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/number_text.h>
 #include <signorini/material/yield_curve.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -83,7 +84,7 @@ namespace Signorini
                       "Unit: Pa.");
     prm.declare_entry("Hardening table",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "Points `plastic strain: yield stress', separated by |. "
                       "The strain grows from 0, the stress does not fall. "
                       "Straight lines between, constant beyond the last. Or "

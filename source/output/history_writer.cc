@@ -1,3 +1,4 @@
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/output/history_writer.h>
 #include <signorini/output/pvd_file.h>
@@ -5,22 +6,11 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 
 namespace Signorini
 {
-  std::string
-  shortest_exact(const double value)
-  {
-    char       text[32];
-    const auto result = std::to_chars(text, text + sizeof(text), value);
-    return std::string(text, result.ptr);
-  }
-
-
-
   HistoryWriter::HistoryWriter(const std::string &file_name,
                                const History     &history,
                                const double       flush_interval)

@@ -1,5 +1,5 @@
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
-#include <signorini/output/history_writer.h>
 #include <signorini/output/pvd_file.h>
 #include <signorini/output/run_folder.h>
 

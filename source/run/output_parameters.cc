@@ -1,6 +1,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 #include <signorini/run/output_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -42,7 +43,7 @@ namespace Signorini
                       "by Ctrl-C or `--steps' is saved always.");
     prm.declare_entry("Interface problems at",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "Times, separated by commas: the interface problem of "
                       "the step that reaches each is written to a text file, "
                       "which `signorini solve-interface' solves by every "
@@ -91,6 +92,7 @@ namespace Signorini
   template <int dim>
   OutputParameters<dim>
   OutputParameters<dim>::parse(const SolidModel<dim> &solid,
+                               const Constants       &constants,
                                ParameterHandler      &prm)
   {
     OutputParameters parameters;
@@ -121,7 +123,9 @@ namespace Signorini
         const Body<dim> &body =
           solid.body(Utilities::trim(place.substr(0, at)), entry);
         const Point<dim> point =
-          parse_point<dim>(place.substr(at + separator.size()), entry);
+          parse_point<dim>(place.substr(at + separator.size()),
+                           entry,
+                           constants);
         parameters.monitors.push_back({name, body.node_near(point, entry)});
       }
     prm.leave_subsection();

@@ -1,5 +1,6 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 #include <signorini/run/pair_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -16,7 +17,7 @@ namespace Signorini
     {
       std::string name;
       std::string default_value;
-      std::string pattern; // alternatives of a selection; empty: anything
+      std::string pattern; // alternatives of a selection; empty: a number
       std::string documentation;
     };
 
@@ -84,7 +85,7 @@ namespace Signorini
                   entry.documentation;
       const std::string value = in_pair ? "" : entry.default_value;
       if (entry.pattern.empty())
-        prm.declare_entry(entry.name, value, Patterns::Anything(), text);
+        prm.declare_entry(entry.name, value, NumberText(), text);
       else
         prm.declare_entry(entry.name,
                           value,

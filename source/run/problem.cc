@@ -58,8 +58,9 @@ namespace Signorini
       prm.declare_entry("Constants",
                         "",
                         Patterns::Anything(),
-                        "Names for numbers, to be used in all expressions: "
-                        "`F = 1e3, h = 0.02'. pi is always known.");
+                        "Names for numbers, to be used in all numbers and "
+                        "expressions: `h = 0.02, b = 2*h'. pi is always "
+                        "known.");
     }
 
     // Whether a rigid body stands behind the last word of a pair.
@@ -385,7 +386,8 @@ namespace Signorini
         contact.relative_penalty_stiffness *
         problem.solid->stiffness_at_load(problem.time.end_time);
 
-    problem.output = OutputParameters<dim>::parse(*problem.solid, prm);
+    problem.output =
+      OutputParameters<dim>::parse(*problem.solid, constants, prm);
     return problem;
   }
 

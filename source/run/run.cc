@@ -1,3 +1,4 @@
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/parameter_file.h>
 #include <signorini/input/parameter_json.h>

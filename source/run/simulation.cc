@@ -1,4 +1,5 @@
 #include <signorini/dynamics/finite_state.h>
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_errors.h>

@@ -1,6 +1,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 #include <signorini/solid/loads.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -96,12 +97,12 @@ namespace Signorini
                       "t. Unit: rad/s.");
     prm.declare_entry("Rotation centre",
                       "",
-                      text,
+                      NumberText(),
                       "A point on the axis of rotation; empty: the origin. "
                       "Axisymmetric bodies turn about their axis. Unit: m.");
     prm.declare_entry("Rotation axis",
                       "0, 0, 1",
-                      text,
+                      NumberText(),
                       "Direction of the axis, read in three dimensions only.");
     prm.leave_subsection();
   }
@@ -190,7 +191,7 @@ namespace Signorini
     for (const auto &[point, value] :
          parse_named_list(prm.get("Point force"), entry))
       point_forces_.push_back(
-        {body_->node_near(parse_point<dim>(point, entry), entry),
+        {body_->node_near(parse_point<dim>(point, entry, constants), entry),
          Function(value, dim, constants, entry, Dependence::space_and_time)});
   }
 

@@ -82,13 +82,14 @@ namespace Signorini
     std::vector<Node<dim>>
     nodes_at(const Body<dim>   &body,
              const std::string &place,
+             const Constants   &constants,
              const std::string &entry)
     {
       const std::string keyword = "point ";
       if (place.compare(0, keyword.size(), keyword) == 0)
-        return {
-          body.node_near(parse_point<dim>(place.substr(keyword.size()), entry),
-                         entry)};
+        return {body.node_near(
+          parse_point<dim>(place.substr(keyword.size()), entry, constants),
+          entry)};
       try
         {
           return body.boundary_nodes(place);
@@ -156,7 +157,7 @@ namespace Signorini
     for (const auto &[place, components] :
          parse_named_list(prm.get("Fixed"), fixed))
       for (const std::string &component : split_list(components, ','))
-        add(nodes_at(body, place, fixed),
+        add(nodes_at(body, place, constants, fixed),
             parse_component<dim>(component, fixed),
             nullptr);
 
@@ -175,7 +176,7 @@ namespace Signorini
             constants,
             prescribed,
             Dependence::space_and_time));
-          add(nodes_at(body, place, prescribed),
+          add(nodes_at(body, place, constants, prescribed),
               parse_component<dim>(Utilities::trim(motion.substr(0, equal)),
                                    prescribed),
               motions_.back().get());

@@ -1,6 +1,7 @@
 #include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/named_list.h>
+#include <signorini/input/number_text.h>
 #include <signorini/time/step_control.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -133,7 +134,7 @@ namespace Signorini
       "1e-3 gives 57 steps a period. Unit: 1.");
     prm.declare_entry("Times to meet",
                       "",
-                      Patterns::Anything(),
+                      NumberText(),
                       "Times, separated by commas, at which a step has to end, "
                       "because a load or a motion has a jump or a kink there. "
                       "Unit: s.");

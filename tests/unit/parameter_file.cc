@@ -238,12 +238,70 @@ BOOST_AUTO_TEST_CASE(wrong_values)
              "be \"elastc\". Did you mean \"elastic\"? Allowed: one of "
              "elastic, J2.");
   BOOST_TEST(message_for("set Bodies =\n") == "");
-  BOOST_TEST(message_for("subsection Time\n  set End time = soon\nend\n"
-                         "set Titel = x\n") ==
-             "prm/a.prm:2: in \"Time\": entry \"End time\" cannot be "
-             "\"soon\". Allowed: a number.\n"
-             "prm/a.prm:4: unknown entry \"Titel\". Did you mean \"Title\"? "
-             "Allowed entries here: Title, Bodies.");
+  BOOST_TEST(
+    message_for("subsection Time\n  set End time = soon\nend\n"
+                "set Titel = x\n") ==
+    "prm/a.prm:2: in \"Time\": entry \"End time\" cannot be "
+    "\"soon\". Allowed: a number. The expression \"soon\" has the "
+    "unknown name \"soon\". Did you mean \"sign\"? Allowed are numbers, the constants pi "
+    "(more of them: entry Constants), and functions such as sqrt, "
+    "sin and max.\n"
+    "prm/a.prm:4: unknown entry \"Titel\". Did you mean \"Title\"? "
+    "Allowed entries here: Title, Bodies.");
+}
+
+BOOST_AUTO_TEST_CASE(expressions_in_numbers)
+{
+  write_file("prm/a.prm",
+             "set Constants = h = 0.1, n = 3, b = 2*h\n"
+             "subsection Body beam\n"
+             "  set Refinements = n - 1\n"
+             "  subsection Material\n    set Young's modulus = b\n  end\n"
+             "end\n"
+             "subsection Time\n  set End time = 12e-3\nend\n");
+  ParameterFile    file = ParameterFile::read("prm/a.prm");
+  ParameterHandler prm;
+  prm.declare_entry("Constants", "", Patterns::Anything());
+  declare(prm);
+  file.apply(prm);
+  BOOST_TEST(prm.get(material, "Young's modulus") == "0.2");
+  BOOST_TEST(prm.get({"Body beam"}, "Refinements") == "2");
+  BOOST_TEST(prm.get({"Time"}, "End time") == "12e-3"); // as it was written
+
+  file.override_entry("Constants=h = 1e-7, n = 0.3/0.1, b = -1");
+  BOOST_TEST(message_of([&] { file.apply(prm); }) ==
+             "prm/a.prm:5: in \"Body beam / Material\": entry \"Young's "
+             "modulus\" cannot be \"b\". Allowed: a number >= 0. Its value "
+             "is -1.");
+  BOOST_TEST(prm.get({"Body beam"}, "Refinements") == "2");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_expressions)
+{
+  const auto message = [](const std::string &assignment) {
+    write_file("prm/a.prm", "set Constants = height = 0.1\n");
+    ParameterFile file = ParameterFile::read("prm/a.prm");
+    file.override_entry(assignment);
+    return message_of([&] {
+      ParameterHandler prm;
+      prm.declare_entry("Constants", "", Patterns::Anything());
+      declare(prm);
+      file.apply(prm);
+    });
+  };
+  BOOST_TEST(message("Time/End time=2*hieght") ==
+             "--set: in \"Time\": entry \"End time\" cannot be "
+             "\"2*hieght\". Allowed: a number. The expression \"2*hieght\" "
+             "has the unknown name \"hieght\". Did you mean \"height\"? "
+             "Allowed are numbers, the constants height, pi (more of them: "
+             "entry Constants), and functions such as sqrt, sin and max.");
+  BOOST_TEST(message("Body beam/Refinements=25*height") ==
+             "--set: in \"Body beam\": entry \"Refinements\" cannot be "
+             "\"25*height\". Allowed: a whole number >= 0. The expression "
+             "\"25*height\" is 2.5, but a whole number is expected.");
+  BOOST_TEST(
+    message("Constants=h = 1/0")
+      .rfind("--set: Constants: found \"1/0\", expected a number", 0) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_syntax)
@@ -328,7 +386,8 @@ BOOST_AUTO_TEST_CASE(wrong_overrides)
              "Allowed subsections here: Body beam, Time.");
   BOOST_TEST(message_of_override("Time/End time=x") ==
              "--set: in \"Time\": entry \"End time\" cannot be \"x\". "
-             "Allowed: a number.");
+             "Allowed: a number. The expression \"x\" depends on x, but it "
+             "may depend on no variable.");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

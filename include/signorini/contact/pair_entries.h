@@ -1,6 +1,8 @@
 #ifndef signorini_contact_pair_entries_h
 #define signorini_contact_pair_entries_h
 
+#include <signorini/input/number_text.h>
+
 #include <functional>
 #include <string>
 
@@ -21,15 +23,18 @@ namespace Signorini
   };
 
   /**
-   * Declares an entry of text in the section that @p prm is in.
+   * Declares an entry, of numbers unless told otherwise, in the section that @p
+   * prm is in.
    * @param in_pair of one pair: where it is empty, that of all pairs counts
    */
   void
-  declare_pair_entry(const std::string        &name,
-                     const std::string        &default_value,
-                     const std::string        &documentation,
-                     const bool                in_pair,
-                     dealii::ParameterHandler &prm);
+  declare_pair_entry(
+    const std::string                   &name,
+    const std::string                   &default_value,
+    const std::string                   &documentation,
+    const bool                           in_pair,
+    dealii::ParameterHandler            &prm,
+    const dealii::Patterns::PatternBase &pattern = NumberText());
 
   /** A number that is not negative. @throws InputError. */
   double

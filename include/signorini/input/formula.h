@@ -2,6 +2,7 @@
 #define signorini_input_formula_h
 
 #include <deal.II/base/function_parser.h>
+#include <deal.II/base/numbers.h>
 
 #include <map>
 #include <memory>
@@ -10,11 +11,19 @@
 
 namespace Signorini
 {
-  /** Constants of the .prm that may be used in every expression. */
+  /** Constants of the .prm, which every number and expression may use. */
   using Constants = std::map<std::string, double>;
 
+  /** The one that is always there. */
+  inline Constants
+  only_pi()
+  {
+    return {{"pi", dealii::numbers::PI}};
+  }
+
   /**
-   * Reads `F = 1e3, h = 0.02`; pi is always there.
+   * Reads `h = 0.02, b = 2*h': a number may be an expression in the constants
+   * before it. pi is always there.
    * @throws InputError for a name that no expression could contain, that of a
    *   variable or a function, and for a name without a number.
    */

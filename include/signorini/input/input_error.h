@@ -9,12 +9,37 @@ namespace Signorini
   /**
    * Something the user can mend: a wrong entry, a missing file, a boundary
    * that does not exist. The message says where, what was found, what is
-   * allowed, and the remedy, and is printed as it stands.
+   * allowed, and the remedy, and is printed as it stands: `entry: text'.
    */
   class InputError : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    /** @param text of something that is about no entry */
+    explicit InputError(const std::string &text);
+
+    /**
+     * @param entry path of the entry or section, such as "Body beam / Material
+     *   / Law"; empty where it is not known yet
+     * @param text  what is wrong with it
+     */
+    InputError(const std::string &entry, const std::string &text);
+
+    const std::string &
+    entry() const
+    {
+      return entry_;
+    }
+
+    /** The message without the entry. */
+    const std::string &
+    text() const
+    {
+      return text_;
+    }
+
+  private:
+    std::string entry_;
+    std::string text_;
   };
 
   /**

@@ -1,6 +1,8 @@
 #ifndef signorini_input_named_list_h
 #define signorini_input_named_list_h
 
+#include <signorini/input/formula.h>
+
 #include <deal.II/base/point.h>
 
 #include <string>
@@ -23,7 +25,10 @@ namespace Signorini
   std::vector<NamedItem>
   parse_named_list(const std::string &text, const std::string &entry);
 
-  /** Splits at the separator and trims; empty text gives an empty list. */
+  /**
+   * Splits at the separator outside of parentheses, and trims; empty text
+   * gives an empty list.
+   */
   std::vector<std::string>
   split_list(const std::string &text, const char separator);
 
@@ -48,16 +53,20 @@ namespace Signorini
     "allowed are 0 and magnitudes from 1e-100 to 1e100";
 
   /**
-   * A number, or a constant expression such as 2*pi/3.
+   * A number, or an expression in constants such as 2*pi/3.
    * @throws InputError otherwise, or if it is not sane.
    */
   double
-  parse_number(const std::string &text, const std::string &entry);
+  parse_number(const std::string &text,
+               const std::string &entry,
+               const Constants   &constants = only_pi());
 
   /** `x, y (, z)` as a point. @throws InputError otherwise. */
   template <int dim>
   dealii::Point<dim>
-  parse_point(const std::string &text, const std::string &entry);
+  parse_point(const std::string &text,
+              const std::string &entry,
+              const Constants   &constants = only_pi());
 } // namespace Signorini
 
 #endif

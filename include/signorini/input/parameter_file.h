@@ -1,6 +1,7 @@
 #ifndef signorini_input_parameter_file_h
 #define signorini_input_parameter_file_h
 
+#include <signorini/input/formula.h>
 #include <signorini/input/parameter_statements.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -40,10 +41,19 @@ namespace Signorini
     get(const std::string &path, const std::string &default_value) const;
 
     /**
-     * Set every entry of the handler, in which everything is declared.
-     * @throws InputError that names all sections and entries that are not
-     * declared and all values that do not match their pattern, each with its
-     * place, what is allowed and the nearest right name, one per line.
+     * Those of the entry `Constants', which any number of the file may use.
+     * @throws InputError with the place.
+     */
+    Constants
+    constants() const;
+
+    /**
+     * Set every entry of the handler, in which everything is declared, with
+     * its numbers evaluated: see evaluate_numbers().
+     * @throws InputError as constants(), or one that names all sections and
+     * entries that are not declared and all values that do not match their
+     * pattern, each with its place, what is allowed and the nearest right name,
+     * one per line.
      */
     void
     apply(dealii::ParameterHandler &prm) const;

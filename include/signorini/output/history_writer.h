@@ -75,10 +75,6 @@ namespace Signorini
     std::size_t           n_safe_bytes   = 0;
     Clock::time_point     last_flush;
   };
-
-  /** The shortest decimal text that reads back as exactly this number. */
-  std::string
-  shortest_exact(const double value);
 } // namespace Signorini
 
 #endif

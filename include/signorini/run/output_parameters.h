@@ -41,7 +41,9 @@ namespace Signorini
 
     /** @throws InputError. */
     static OutputParameters
-    parse(const SolidModel<dim> &solid, dealii::ParameterHandler &prm);
+    parse(const SolidModel<dim>    &solid,
+          const Constants          &constants,
+          dealii::ParameterHandler &prm);
 
     /** True if fields are due at the end of this step. */
     bool
