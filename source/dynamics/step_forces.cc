@@ -46,8 +46,8 @@ namespace Signorini
         SolidResponse response =
           solid_.respond({state.displacement,
                           step_size,
-                          conserves_energy_ ? &old_state.displacement :
-                                              nullptr},
+                          conserves_energy_ ? &old_state.displacement : nullptr,
+                          state.time},
                          old_state.history,
                          solid_.is_linear() ? nullptr : &tangent_);
         if (!solid_.is_linear())
@@ -57,6 +57,7 @@ namespace Signorini
         state.history        = std::move(response.history);
         state.energy.stored  = response.stored_energy;
         state.energy.plastic = response.plastic_work;
+        state.energy.heating = response.heating;
         if (solid_.loads_follow())
           state.external_force =
             solid_.external_force(state.time, state.displacement);

@@ -149,8 +149,8 @@ namespace Signorini
     contact_.begin_slip(points, state.velocity, state.contact);
     measure_supports(points, state);
     measure_motion(state);
-    state.energy.initial =
-      state.energy.kinetic + state.energy.stored + state.energy.plastic;
+    state.energy.initial = state.energy.kinetic + state.energy.stored +
+                           state.energy.plastic - state.energy.heating;
     return state;
   }
 

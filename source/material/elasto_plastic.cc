@@ -127,6 +127,8 @@ namespace Signorini
     StrainResponse response =
       elastic_.respond(trial_strain, step_size, state_n);
     response.state = state_n;
+    if (step_size == 0.)
+      return response;
 
     // 2. Does it?
     const SymmetricTensor<2, 3>  shape    = deviator(response.stress);

@@ -79,15 +79,13 @@ namespace Signorini
 
 
   MaterialResponse
-  LogarithmicMaterial::respond(const Tensor<2, 3> &displacement_gradient,
-                               const double        step_size,
-                               const ArrayView<const double> history_n,
-                               const ArrayView<double>       history) const
+  LogarithmicMaterial::respond(const MaterialPoint    &point,
+                               const ArrayView<double> history) const
   {
-    const Trial begin = trial(displacement_gradient, history_n);
+    const Trial begin = trial(point.gradient, point.history_n);
     return finish(begin,
-                  law().respond(begin.strain, step_size, begin.state),
-                  history_n,
+                  law().respond(begin.strain, point.step.size, begin.state),
+                  point.history_n,
                   history);
   }
 
@@ -97,25 +95,22 @@ namespace Signorini
   // only the law has to be asked again.
   MaterialResponse
   LogarithmicMaterial::respond_in_plane_stress(
-    Tensor<2, 3>                 &displacement_gradient,
-    const double                  step_size,
-    const ArrayView<const double> history_n,
-    const ArrayView<double>       history) const
+    MaterialPoint          &point,
+    const ArrayView<double> history) const
   {
-    Trial begin = trial(displacement_gradient, history_n);
+    Trial begin = trial(point.gradient, point.history_n);
     Assert(begin.frame.is_planar,
            ExcMessage("A sheet has no shear across it."));
     const StrainResponse response = Signorini::respond_in_plane_stress(
-      law(), begin.strain, step_size, begin.state);
+      law(), begin.strain, point.step.size, begin.state);
 
     const double strain       = begin.strain[2][2];
     begin.frame.log_strain[2] = strain;
     begin.frame.stretch[2]    = std::exp(strain);
     // 1 + H_zz = F_e F_p
     const double plastic = begin.plastic[2][2];
-    displacement_gradient[2][2] =
-      (std::expm1(strain) - plastic) / (1. + plastic);
-    return finish(begin, response, history_n, history);
+    point.gradient[2][2] = (std::expm1(strain) - plastic) / (1. + plastic);
+    return finish(begin, response, point.history_n, history);
   }
 
 

@@ -4,6 +4,7 @@
 #include <signorini/material/material.h>
 #include <signorini/material/neo_hooke.h>
 #include <signorini/material/small_strain_material.h>
+#include <signorini/material/thermal_expansion.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -91,23 +92,20 @@ namespace Signorini
 
 
   MaterialResponse
-  Material::respond_in_plane_stress(Tensor<2, 3> &displacement_gradient,
-                                    const double  step_size,
-                                    const ArrayView<const double> history_n,
-                                    const ArrayView<double>       history) const
+  Material::respond_in_plane_stress(MaterialPoint          &point,
+                                    const ArrayView<double> history) const
   {
     const bool      is_finite = kinematics() == Kinematics::finite_strain;
-    const double    guess     = displacement_gradient[2][2];
+    const double    guess     = point.gradient[2][2];
     ThicknessSearch search;
     while (true)
       {
         // The strain is logarithmic, so that none can invert the thickness.
         const double strain = search.strain();
-        displacement_gradient[2][2] =
+        point.gradient[2][2] =
           guess + (is_finite ? (1. + guess) * std::expm1(strain) : strain);
-        const MaterialResponse response =
-          respond(displacement_gradient, step_size, history_n, history);
-        const double stress = response.stress[2][2];
+        const MaterialResponse response = respond(point, history);
+        const double           stress   = response.stress[2][2];
         if (search.is_done(stress,
                            response.stress.norm(),
                            response.tangent[2][2][2][2] +
@@ -143,6 +141,7 @@ namespace Signorini
                       "Mass density rho before the deformation; a dynamic run "
                       "needs it greater than zero. Unit: kg/m^3.");
     ElastoPlastic::declare_parameters(prm);
+    ThermalExpansion::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -151,7 +150,10 @@ namespace Signorini
   EntryConditions
   material_conditions()
   {
-    return ElastoPlastic::conditions();
+    EntryConditions list = ElastoPlastic::conditions();
+    for (const EntryCondition &condition : ThermalExpansion::conditions())
+      list.push_back(condition);
+    return list;
   }
 
 
@@ -165,11 +167,12 @@ namespace Signorini
     prm.enter_subsection(section);
     try
       {
-        const Source              source   = {prm,
-                                              base_directory,
-                                              kinematics,
-                                              parse_density(prm)};
-        std::unique_ptr<Material> material = laws().at(prm.get("Law"))(source);
+        const Source              source = {prm,
+                                            base_directory,
+                                            kinematics,
+                                            parse_density(prm)};
+        std::unique_ptr<Material> material =
+          ThermalExpansion::parse(laws().at(prm.get("Law"))(source), prm);
         prm.leave_subsection();
         return material;
       }

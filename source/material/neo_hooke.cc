@@ -34,14 +34,12 @@ namespace Signorini
 
 
   MaterialResponse
-  NeoHooke::respond(const Tensor<2, 3> &displacement_gradient,
-                    const double /*step_size*/,
-                    const ArrayView<const double> /*history_n*/,
+  NeoHooke::respond(const MaterialPoint &point,
                     const ArrayView<double> /*history*/) const
   {
     const double        mu     = constants_.shear;
     const double        lambda = constants_.lame();
-    const Tensor<2, 3> &H      = displacement_gradient;
+    const Tensor<2, 3> &H      = point.gradient;
     // J - 1 = tr H + (tr H)^2/2 - tr(H H)/2 + det H
     const double volume_change = volume_ratio_minus_one(H);
     const double log_J         = std::log1p(volume_change);

@@ -42,16 +42,15 @@ namespace Signorini
 
 
   MaterialResponse
-  SmallStrainMaterial::respond(const Tensor<2, 3> &displacement_gradient,
-                               const double        step_size,
-                               const ArrayView<const double> history_n,
-                               const ArrayView<double>       history) const
+  SmallStrainMaterial::respond(const MaterialPoint    &point,
+                               const ArrayView<double> history) const
   {
-    const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
+    const SymmetricTensor<2, 3> plastic = plastic_strain(point.history_n);
     return finish(plastic,
-                  law().respond(symmetrize(displacement_gradient) - plastic,
-                                step_size,
-                                PlasticHistory::read_state(law(), history_n)),
+                  law().respond(symmetrize(point.gradient) - plastic,
+                                point.step.size,
+                                PlasticHistory::read_state(law(),
+                                                           point.history_n)),
                   history);
   }
 
@@ -59,16 +58,17 @@ namespace Signorini
 
   MaterialResponse
   SmallStrainMaterial::respond_in_plane_stress(
-    Tensor<2, 3>                 &displacement_gradient,
-    const double                  step_size,
-    const ArrayView<const double> history_n,
-    const ArrayView<double>       history) const
+    MaterialPoint          &point,
+    const ArrayView<double> history) const
   {
-    const SymmetricTensor<2, 3> plastic = plastic_strain(history_n);
-    SymmetricTensor<2, 3> strain = symmetrize(displacement_gradient) - plastic;
-    const StrainResponse  response = Signorini::respond_in_plane_stress(
-      law(), strain, step_size, PlasticHistory::read_state(law(), history_n));
-    displacement_gradient[2][2] = strain[2][2] + plastic[2][2];
+    const SymmetricTensor<2, 3> plastic  = plastic_strain(point.history_n);
+    SymmetricTensor<2, 3>       strain   = symmetrize(point.gradient) - plastic;
+    const StrainResponse        response = Signorini::respond_in_plane_stress(
+      law(),
+      strain,
+      point.step.size,
+      PlasticHistory::read_state(law(), point.history_n));
+    point.gradient[2][2] = strain[2][2] + plastic[2][2];
     return finish(plastic, response, history);
   }
 

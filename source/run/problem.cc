@@ -137,6 +137,39 @@ namespace Signorini
       return true;
     }
 
+    template <int dim>
+    void
+    set_temperature(const Constants  &constants,
+                    ParameterHandler &prm,
+                    Body<dim>        &body)
+    {
+      const std::string text = prm.get("Temperature");
+      if (!text.empty())
+        body.set_temperature(
+          SpaceTimeFunction<dim>(text,
+                                 1,
+                                 constants,
+                                 "Body " + body.name() + " / Temperature",
+                                 Dependence::space_and_time));
+    }
+
+    // The mean force over a step does the work of an energy that depends on
+    // the deformation alone.
+    template <int dim>
+    void
+    refuse_expansion_with_conserved_energy(const SolidModel<dim> &solid)
+    {
+      for (const auto &part : solid.parts())
+        for (const Material *const material : part.body->materials())
+          if (material->expands())
+            throw InputError("Time / Scheme",
+                             "energy momentum is for bodies whose energy is "
+                             "that of their deformation, and body " +
+                               part.body->name() +
+                               " has a Thermal expansion. Set Scheme = "
+                               "Chung-Hulbert.");
+    }
+
     ContactMass
     contact_mass(const std::string &name)
     {
@@ -310,6 +343,7 @@ namespace Signorini
                                                        passes[parts.size()],
                                       prm);
         n_dofs += body->n_dofs();
+        set_temperature(constants, prm, *body);
         Loads<dim>    loads(*body, constants, prm);
         Supports<dim> supports(*body, constants, global_run, prm);
         parts.push_back(
@@ -335,6 +369,8 @@ namespace Signorini
     problem.time.parse_scheme(kinematics == Kinematics::finite_strain &&
                                 is_elastic(*problem.solid),
                               prm);
+    if (problem.time.conserves_energy)
+      refuse_expansion_with_conserved_energy(*problem.solid);
     problem.initial_displacement.reinit(n_dofs);
     problem.initial_velocity.reinit(n_dofs);
     for (const auto &part : problem.solid->parts())

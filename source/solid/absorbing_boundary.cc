@@ -32,7 +32,7 @@ namespace Signorini
                                    material,
                                    Tensor<2, dim>(),
                                    0.,
-                                   0.,
+                                   {},
                                    make_array_view(history_n),
                                    make_array_view(history))
                              .tangent;

@@ -92,10 +92,12 @@ namespace Signorini
                const bool with_stiffness)
       {
         this->visit(visited);
+        set_temperatures(step);
         const typename CellResponse<dim, n_strains>::Point point = {
           &body.material(visited->material_id()),
           constant,
-          step.size,
+          {step.size, {}},
+          temperatures,
           ArrayView<const double>(history_n, n_cell_values),
           ArrayView<double>(history, n_cell_values),
           n_point_values};
@@ -110,6 +112,17 @@ namespace Signorini
           this->values, displacement_n, displacement, point, with_stiffness);
       }
 
+      // At the points of the cell, if the step changes them.
+      void
+      set_temperatures(const SolidStep &step)
+      {
+        temperatures.clear();
+        if (step.time && body.temperature())
+          for (const auto &point : this->values.get_quadrature_points())
+            temperatures.push_back(
+              body.temperature()->value(point, *step.time));
+      }
+
       void
       get_values(const DofVector &of_all, std::vector<double> &of_cell) const
       {
@@ -121,6 +134,7 @@ namespace Signorini
       CellResponse<dim, n_strains> cell;
       std::vector<double>          displacement;
       std::vector<double>          displacement_n;
+      std::vector<double>          temperatures;
       const unsigned int           n_point_values;
       const unsigned int           n_cell_values;
     };
@@ -140,6 +154,7 @@ namespace Signorini
       std::vector<types::global_dof_index> dofs;
       double                               stored_energy = 0.;
       double                               plastic_work  = 0.;
+      double                               heating       = 0.;
       std::string                          failure;
     };
 
@@ -165,7 +180,7 @@ namespace Signorini
       for (const Material *const material : body.materials())
         if (material->is_linear())
           responses[material] = respond(
-            body.formulation(), *material, Tensor<2, dim>(), 0., 0., {}, {});
+            body.formulation(), *material, Tensor<2, dim>(), 0., {}, {}, {});
       return responses;
     }
 
@@ -219,6 +234,7 @@ namespace Signorini
         copy.mean_force    = scratch.cell.mean_force;
         copy.stored_energy = scratch.cell.stored_energy;
         copy.plastic_work  = scratch.cell.plastic_work;
+        copy.heating       = scratch.cell.heating;
       };
       const auto copier = [&](const ResponseCopy &copy) {
         if (!copy.failure.empty())
@@ -228,6 +244,7 @@ namespace Signorini
           }
         response.stored_energy += copy.stored_energy;
         response.plastic_work += copy.plastic_work;
+        response.heating += copy.heating;
         if (step.displacement_n)
           constraints.distribute_local_to_global(copy.mean_force,
                                                  copy.dofs,
@@ -259,9 +276,6 @@ namespace Signorini
                  const DofVector              &displacement,
                  const ArrayView<const double> history)
     {
-      // So fast that no law that depends on the rate flows meanwhile.
-      constexpr double at_once = 1e-300;
-
       ResponseScratch<dim, n_strains> scratch(body);
       const unsigned int              n = scratch.n_point_values;
       std::vector<double>             unused(scratch.n_cell_values);
@@ -270,12 +284,8 @@ namespace Signorini
         {
           const double *const first =
             history.data() + scratch.first_value(cell);
-          scratch.evaluate(cell,
-                           {displacement, at_once},
-                           nullptr,
-                           first,
-                           unused.data(),
-                           false);
+          scratch.evaluate(
+            cell, {displacement}, nullptr, first, unused.data(), false);
           for (unsigned int q = 0; q < scratch.values.n_quadrature_points; ++q)
             {
               result.stresses.push_back(scratch.cell.stresses[q]);

@@ -36,12 +36,11 @@ namespace Signorini
     {
       const std::vector<double> history_n(material.n_history_values());
       std::vector<double>       history(history_n);
-      const auto                tangent = material
-                             .respond(Tensor<2, 3>(),
-                                      0.,
-                                      make_array_view(history_n),
-                                      make_array_view(history))
-                             .tangent;
+      const auto                tangent =
+        material
+          .respond({Tensor<2, 3>(), {}, make_array_view(history_n)},
+                   make_array_view(history))
+          .tangent;
       // lambda / (2 lambda + 2 G)
       return tangent[0][0][1][1] / (tangent[0][0][0][0] + tangent[0][0][1][1]);
     }
@@ -90,6 +89,13 @@ namespace Signorini
                       Patterns::Double(0.),
                       "Thickness of a plane body; loads and contact forces "
                       "are totals over it. Unit: m.");
+    prm.declare_entry(
+      "Temperature",
+      "",
+      Patterns::Anything(),
+      "Function of the place before the deformation and of "
+      "time, read by materials with Thermal expansion. Empty: "
+      "the Reference temperature. Unit: that of the reference.");
     prm.declare_entry("Mass damping",
                       "0",
                       Patterns::Double(0.),

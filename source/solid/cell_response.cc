@@ -57,6 +57,7 @@ namespace Signorini
     , mean_force(body.fe().n_dofs_per_cell())
     , stored_energy(0.)
     , plastic_work(0.)
+    , heating(0.)
     , stresses(n_points)
     , body_(&body)
     , is_finite_(body.kinematics() == Kinematics::finite_strain)
@@ -127,7 +128,7 @@ namespace Signorini
     const FEValues<dim> &values,
     const Point         &point)
   {
-    stored_energy = plastic_work = 0.;
+    stored_energy = plastic_work = heating = 0.;
     if (has_mean_dilatation_)
       find_means(values);
     if (point.constant)
@@ -140,12 +141,15 @@ namespace Signorini
         double               thickness_strain = kinematics.hoop;
         if (has_mean_dilatation_)
           set_mean_dilatation(kinematics, gradient, thickness_strain);
+        MaterialStep step = point.step;
+        if (!point.temperatures.empty())
+          step.temperature = point.temperatures[q];
         responses_[q] =
           respond(body_->formulation(),
                   *point.material,
                   gradient,
                   thickness_strain,
-                  point.step_size,
+                  step,
                   make_array_view(point.history_n.begin() + q * n,
                                   point.history_n.begin() + (q + 1) * n),
                   make_array_view(point.history.begin() + q * n,
@@ -153,6 +157,7 @@ namespace Signorini
         stresses[q] = responses_[q].cauchy_stress;
         stored_energy += kinematics.volume * responses_[q].energy_density;
         plastic_work += kinematics.volume * responses_[q].plastic_work_density;
+        heating += kinematics.volume * responses_[q].heating_density;
       }
     if (has_mean_dilatation_)
       find_pressures();

@@ -49,9 +49,10 @@ namespace Signorini
      * the cell, one after the other. */
     struct Point
     {
-      const Material                 *material;
-      const PointResponse            *constant; // or null
-      double                          step_size;
+      const Material      *material;
+      const PointResponse *constant; // or null
+      MaterialStep         step;
+      std::vector<double>  temperatures; // at its points; empty: as before
       dealii::ArrayView<const double> history_n;
       dealii::ArrayView<double>       history;
       unsigned int                    n_history_values;
@@ -86,6 +87,7 @@ namespace Signorini
     dealii::Vector<double>     mean_force;    // N
     double                     stored_energy; // J
     double                     plastic_work;  // J
+    double                     heating;       // J
 
     // Cauchy, at each point; not for a linear law with a constant answer. Pa
     std::vector<dealii::SymmetricTensor<2, 3>> stresses;

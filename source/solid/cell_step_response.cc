@@ -8,14 +8,6 @@ namespace Signorini
 {
   using namespace dealii;
 
-  namespace
-  {
-    // So fast that no law that depends on the rate flows meanwhile.
-    constexpr double at_once = 1e-300;
-  } // namespace
-
-
-
   template <int dim, int n_strains>
   void
   CellResponse<dim, n_strains>::evaluate_step(
@@ -38,7 +30,8 @@ namespace Signorini
     unused_history_.resize(point.history_n.size());
     const Point at_start = {point.material,
                             nullptr,
-                            at_once,
+                            {}, // at rest
+                            {},
                             point.history_n,
                             make_array_view(unused_history_),
                             point.n_history_values};
@@ -48,7 +41,7 @@ namespace Signorini
     const double plastic_work_n  = plastic_work;
 
     Point at_middle     = at_start;
-    at_middle.step_size = 0.5 * point.step_size;
+    at_middle.step.size = 0.5 * point.step.size;
     for (unsigned int q = 0; q < points_.size(); ++q)
       {
         find_kinematics(values, displacement, q);

@@ -19,9 +19,7 @@ namespace Signorini
       const std::vector<double> history_n(material.n_history_values());
       std::vector<double>       history(history_n);
       return material
-        .respond(Tensor<2, 3>(),
-                 0.,
-                 make_array_view(history_n),
+        .respond({Tensor<2, 3>(), {}, make_array_view(history_n)},
                  make_array_view(history))
         .tangent[0][0][0][0];
     }

@@ -54,20 +54,19 @@ namespace Signorini
     }
 
     MaterialResponse
-    plane_stress_response(const Material               &material,
-                          Tensor<2, 3>                 &gradient,
-                          const double                  step_size,
-                          const ArrayView<const double> history_n,
-                          const ArrayView<double>       history)
+    plane_stress_response(const Material         &material,
+                          MaterialPoint          &point,
+                          const ArrayView<double> history)
     {
       const Kinematics   kinematics = material.kinematics();
       const unsigned int n          = material.n_history_values();
       const bool         remembers  = history.size() > n;
+      Tensor<2, 3>      &gradient   = point.gradient;
       if (remembers)
         gradient[2][2] =
-          thickness_of_volume(history_n[n], gradient, kinematics);
-      const MaterialResponse response = material.respond_in_plane_stress(
-        gradient, step_size, history_n, history);
+          thickness_of_volume(point.history_n[n], gradient, kinematics);
+      const MaterialResponse response =
+        material.respond_in_plane_stress(point, history);
       if (remembers)
         history[n] = volume_change(gradient, kinematics);
       return response;
@@ -161,11 +160,12 @@ namespace Signorini
           const Material               &material,
           const Tensor<2, dim>         &plane_gradient,
           const double                  thickness_strain,
-          const double                  step_size,
+          const MaterialStep           &step,
           const ArrayView<const double> history_n,
           const ArrayView<double>       history)
   {
-    Tensor<2, 3> gradient;
+    MaterialPoint point    = {Tensor<2, 3>(), step, history_n};
+    Tensor<2, 3> &gradient = point.gradient;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         gradient[i][j] = plane_gradient[i][j];
@@ -180,9 +180,8 @@ namespace Signorini
 
     const MaterialResponse full =
       formulation == Formulation::plane_stress ?
-        plane_stress_response(
-          material, gradient, step_size, history_n, history) :
-        material.respond(gradient, step_size, history_n, history);
+        plane_stress_response(material, point, history) :
+        material.respond(point, history);
 
     const auto   &components = strain_components(formulation);
     PointResponse reduced;
@@ -202,6 +201,7 @@ namespace Signorini
         determinant(gradient + unit_symmetric_tensor<3>());
     reduced.energy_density       = full.energy_density;
     reduced.plastic_work_density = full.plastic_work_density;
+    reduced.heating_density      = full.heating_density;
     return reduced;
   }
 
@@ -231,7 +231,7 @@ namespace Signorini
                                       const Material &,              \
                                       const Tensor<2, dim> &,        \
                                       const double,                  \
-                                      const double,                  \
+                                      const MaterialStep &,          \
                                       const ArrayView<const double>, \
                                       const ArrayView<double>);      \
   template double        volume_factor<dim>(const Formulation,       \

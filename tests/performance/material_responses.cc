@@ -71,7 +71,7 @@ namespace
                     material,
                     factor * gradients[p],
                     0.,
-                    1e-6,
+                    {1e-6, {}},
                     ArrayView<const double>(history_n.data() + n * p, n),
                     ArrayView<double>(history.data() + n * p, n));
           sum += response.tangent[0][0] + response.stress[0];

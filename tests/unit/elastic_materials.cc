@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(hooke)
   RandomDeformations random(41);
   for (const std::string name : {"elastic", "neo-Hooke"})
     {
-      const MaterialPoint point(law(name), Kinematics::small_strain);
+      const PointOfMaterial point(law(name), Kinematics::small_strain);
       BOOST_TEST(point.material->is_linear());
       BOOST_TEST(point.material->n_history_values() == 0u);
       for (const double size : {1e-12, 1e-3})
@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(hooke)
 // Neo-Hooke: energy, stress and tangent from its potential by Sacado.
 BOOST_AUTO_TEST_CASE(neo_hooke_against_sacado)
 {
-  RandomDeformations  random(42);
-  const MaterialPoint point(law("neo-Hooke"), Kinematics::finite_strain);
+  RandomDeformations    random(42);
+  const PointOfMaterial point(law("neo-Hooke"), Kinematics::finite_strain);
   BOOST_TEST(!point.material->is_linear());
   double worst = 0.;
   for (unsigned int trial = 0; trial < 50; ++trial)
@@ -83,9 +83,9 @@ BOOST_AUTO_TEST_CASE(neo_hooke_against_sacado)
 // energy is continuous where its series ends.
 BOOST_AUTO_TEST_CASE(neo_hooke_in_small_strains)
 {
-  RandomDeformations  random(43);
-  const MaterialPoint finite(law("neo-Hooke"), Kinematics::finite_strain);
-  const MaterialPoint small(law("neo-Hooke"), Kinematics::small_strain);
+  RandomDeformations    random(43);
+  const PointOfMaterial finite(law("neo-Hooke"), Kinematics::finite_strain);
+  const PointOfMaterial small(law("neo-Hooke"), Kinematics::small_strain);
   for (const double h : {1e-14, 1e-12, 1e-8, 1e-4})
     {
       const Tensor<2, 3> gradient = random.gradient(h, false);
@@ -114,8 +114,8 @@ BOOST_AUTO_TEST_CASE(neo_hooke_in_small_strains)
 
 BOOST_AUTO_TEST_CASE(neo_hooke_turns)
 {
-  RandomDeformations  random(44);
-  const MaterialPoint point(law("neo-Hooke"), Kinematics::finite_strain);
+  RandomDeformations    random(44);
+  const PointOfMaterial point(law("neo-Hooke"), Kinematics::finite_strain);
   for (unsigned int trial = 0; trial < 10; ++trial)
     {
       const Tensor<2, 3> gradient = random.gradient(0.2, false);

@@ -50,7 +50,7 @@ namespace
   {
     for (const Kinematics kinematics : both)
       {
-        MaterialPoint point(entries, kinematics);
+        PointOfMaterial point(entries, kinematics);
         for (const double plastic : {1e-6, 1e-3, 0.009, 0.03, 0.2, 0.5})
           {
             const double truth  = yield_stress(plastic);
@@ -76,11 +76,11 @@ BOOST_AUTO_TEST_CASE(uniaxial_in_large_strains)
   const double H           = 1000e6;
   for (const bool in_one_step : {true, false})
     {
-      MaterialPoint point(linear, Kinematics::finite_strain);
+      PointOfMaterial point(linear, Kinematics::finite_strain);
       for (unsigned int i = 0; i < 4; ++i)
         {
           if (in_one_step)
-            point = MaterialPoint(linear, Kinematics::finite_strain);
+            point = PointOfMaterial(linear, Kinematics::finite_strain);
           const auto   response = point.stretch(stretches[i]);
           const double truth =
             (std::log(stretches[i]) + sigma_0 / H) / (1. / E + 1. / H);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(plastic_work)
   for (const Kinematics kinematics : both)
     for (const unsigned int n_steps : {1u, 7u})
       {
-        MaterialPoint    point(voce, kinematics), listed(table, kinematics);
+        PointOfMaterial  point(voce, kinematics), listed(table, kinematics);
         MaterialResponse last, last_listed;
         for (unsigned int n = 1; n <= n_steps; ++n)
           {
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(plastic_work)
 // the equivalent plastic strain gamma_p/sqrt(3).
 BOOST_AUTO_TEST_CASE(simple_shear)
 {
-  MaterialPoint point(linear, Kinematics::small_strain);
+  PointOfMaterial point(linear, Kinematics::small_strain);
   for (const double gamma : {0.01, -0.02, 0.05})
     {
       const double a_n = point.equivalent_plastic_strain();
@@ -176,11 +176,11 @@ BOOST_AUTO_TEST_CASE(armstrong_frederick_saturates)
 {
   for (const Kinematics kinematics : both)
     {
-      MaterialPoint point(armstrong_frederick +
-                            "set Hardening modulus = 0\n"
-                            "set Saturation exponent = 100\n",
-                          kinematics);
-      double        stress = 0.;
+      PointOfMaterial point(armstrong_frederick +
+                              "set Hardening modulus = 0\n"
+                              "set Saturation exponent = 100\n",
+                            kinematics);
+      double          stress = 0.;
       for (unsigned int n = 1; n <= 60; ++n)
         stress = point.stretch(stretch_of(0.01 * n, kinematics)).stress[0][0];
       BOOST_TEST(relative(stress, 450e6) < 1e-12);
@@ -200,11 +200,11 @@ BOOST_AUTO_TEST_CASE(armstrong_frederick_saturates)
 // Prager's hardening moves the surface without growing it.
 BOOST_AUTO_TEST_CASE(bauschinger_effect)
 {
-  MaterialPoint point(prager + "set Hardening modulus = 0\n",
-                      Kinematics::small_strain);
-  const double  H_k    = 5e9;
-  const double  top    = sigma_0 + H_k * 0.01;
-  double        stress = point.stretch(1. + 0.01 + top / E).stress[0][0];
+  PointOfMaterial point(prager + "set Hardening modulus = 0\n",
+                        Kinematics::small_strain);
+  const double    H_k    = 5e9;
+  const double    top    = sigma_0 + H_k * 0.01;
+  double          stress = point.stretch(1. + 0.01 + top / E).stress[0][0];
   BOOST_TEST(relative(stress, top) < 1e-12);
   // back to the plastic strain -0.01
   const double bottom = -sigma_0 - H_k * 0.01;
@@ -222,10 +222,10 @@ BOOST_AUTO_TEST_CASE(johnson_cook_rates)
   for (const Kinematics kinematics : both)
     for (const double rate : {1e-5, 1e-3, 0.1, 1e4})
       {
-        MaterialPoint point(johnson_cook + "set Hardening = linear\n"
-                                           "set Hardening modulus = 0\n",
-                            kinematics);
-        double        stress = 0.;
+        PointOfMaterial point(johnson_cook + "set Hardening = linear\n"
+                                             "set Hardening modulus = 0\n",
+                              kinematics);
+        double          stress = 0.;
         for (unsigned int n = 1; n <= 50; ++n)
           stress = point.stretch(stretch_of(1e-3 * n, kinematics), 1e-3 / rate)
                      .stress[0][0];
@@ -241,11 +241,11 @@ BOOST_AUTO_TEST_CASE(johnson_cook_rates)
 BOOST_AUTO_TEST_CASE(equation_of_a_step)
 {
   RandomDeformations random(5);
-  MaterialPoint      point(armstrong_frederick +
-                        "set Rate dependence = Johnson-Cook\n"
+  PointOfMaterial    point(armstrong_frederick +
+                          "set Rate dependence = Johnson-Cook\n"
                              "set Rate coefficient = 0.05\n"
                              "set Reference rate = 1e-2\n",
-                      Kinematics::small_strain);
+                        Kinematics::small_strain);
   const double       step_size = 0.1;
   point.advance(random.gradient(0.02, false), step_size);
   for (unsigned int step = 0; step < 50; ++step)
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(tangent_in_small_strains)
   for (const std::string &entries :
        {linear, voce, table, prager, armstrong_frederick, johnson_cook})
     {
-      MaterialPoint point(entries, Kinematics::small_strain);
+      PointOfMaterial point(entries, Kinematics::small_strain);
       for (unsigned int step = 0; step < 20; ++step)
         {
           const Tensor<2, 3> gradient = random.gradient(0.01, step % 2);
@@ -316,11 +316,11 @@ BOOST_AUTO_TEST_CASE(dissipation)
     for (const std::string &entries :
          {linear, voce, prager, armstrong_frederick, johnson_cook})
       {
-        const double  H_k = entries == prager              ? 5e9 :
-                            entries == armstrong_frederick ? 20e9 :
-                                                             0.;
-        MaterialPoint point(entries, kinematics);
-        double        last = 0.;
+        const double    H_k = entries == prager              ? 5e9 :
+                              entries == armstrong_frederick ? 20e9 :
+                                                               0.;
+        PointOfMaterial point(entries, kinematics);
+        double          last = 0.;
         for (unsigned int step = 0; step < 100; ++step)
           {
             const auto response =
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(work_of_the_stress)
         for (const unsigned int level : {0u, 1u})
           {
             const unsigned int n_steps = level ? 1600 : 800;
-            MaterialPoint      point(entries, kinematics);
+            PointOfMaterial    point(entries, kinematics);
             Tensor<2, 3>       F    = unit_tensor(), stress;
             double             work = 0.;
             MaterialResponse   last;

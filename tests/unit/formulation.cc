@@ -40,7 +40,7 @@ namespace
                                 *material,
                                 gradient,
                                 hoop,
-                                1e-2,
+                                {1e-2, {}},
                                 make_array_view(history_n),
                                 make_array_view(history));
     }
@@ -107,17 +107,14 @@ BOOST_AUTO_TEST_CASE(sheet_as_a_solid)
         std::vector<double> history_n(n), history(n), expected_history(n);
         for (unsigned int step = 0; step < 10; ++step)
           {
-            Tensor<2, 3> gradient = random.gradient(0.1, true);
-            const auto   found =
-              material->respond_in_plane_stress(gradient,
-                                                1e-2,
-                                                make_array_view(history_n),
+            MaterialPoint point = {random.gradient(0.1, true),
+                                   {1e-2, {}},
+                                   make_array_view(history_n)};
+            const auto    found =
+              material->respond_in_plane_stress(point,
                                                 make_array_view(history));
             const auto expected =
-              material->respond(gradient,
-                                1e-2,
-                                make_array_view(history_n),
-                                make_array_view(expected_history));
+              material->respond(point, make_array_view(expected_history));
             BOOST_TEST(relative_difference(found.stress, expected.stress) <
                        1e-11);
             BOOST_TEST(relative_difference(found.tangent, expected.tangent) <
@@ -163,9 +160,9 @@ BOOST_AUTO_TEST_CASE(tension_of_a_sheet)
   for (const Kinematics kinematics : both)
     for (const std::string &entries : {hencky, neo_hooke, steel})
       {
-        PlanePoint    sheet(entries, kinematics, Formulation::plane_stress);
-        MaterialPoint rod(entries, kinematics);
-        double        lateral = 0.;
+        PlanePoint      sheet(entries, kinematics, Formulation::plane_stress);
+        PointOfMaterial rod(entries, kinematics);
+        double          lateral = 0.;
         for (const double stretch : {1.0005, 1.01, 1.1, 1.5, 1.2})
           {
             Tensor<2, 2> gradient;
@@ -264,9 +261,9 @@ BOOST_AUTO_TEST_CASE(gradients_in_space)
     for (const auto formulation :
          {Formulation::plane_strain, Formulation::axisymmetric})
       {
-        PlanePoint    point(steel, kinematics, formulation);
-        MaterialPoint truth(steel, kinematics);
-        const auto   &components = strain_components(formulation);
+        PlanePoint      point(steel, kinematics, formulation);
+        PointOfMaterial truth(steel, kinematics);
+        const auto     &components = strain_components(formulation);
         for (unsigned int step = 0; step < 3; ++step)
           {
             const Tensor<2, 2> gradient = plane_gradient(random, 0.05);

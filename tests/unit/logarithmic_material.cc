@@ -53,11 +53,11 @@ namespace
   }
 
   // A state in the middle of plastic flow.
-  MaterialPoint
+  PointOfMaterial
   loaded(const std::string &entries, const bool is_planar)
   {
     RandomDeformations random(32);
-    MaterialPoint      point(entries, Kinematics::finite_strain);
+    PointOfMaterial    point(entries, Kinematics::finite_strain);
     for (unsigned int step = 0; step < 5; ++step)
       point.advance(random.gradient(0.05, is_planar));
     return point;
@@ -80,9 +80,9 @@ BOOST_AUTO_TEST_CASE(against_sacado)
         for (const double size : {0.0005, 0.02, 0.4})
           for (const Tensor<2, 3> &gradient : gradients(size))
             {
-              MaterialPoint point =
+              PointOfMaterial point =
                 is_loaded ? loaded(entries, is_planar(gradient)) :
-                            MaterialPoint(entries, Kinematics::finite_strain);
+                            PointOfMaterial(entries, Kinematics::finite_strain);
               HenckyPotential potential = {E, nu};
               if (entries == linear)
                 {
@@ -120,9 +120,9 @@ BOOST_AUTO_TEST_CASE(tangent_by_differences)
       double worst = 0.;
       for (const bool is_planar : {true, false})
         {
-          const MaterialPoint point =
+          const PointOfMaterial point =
             entries == hencky ?
-              MaterialPoint(entries, Kinematics::finite_strain) :
+              PointOfMaterial(entries, Kinematics::finite_strain) :
               loaded(entries, is_planar);
           RandomDeformations random(33);
           for (unsigned int i = 0; i < 10; ++i)
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(rotation_in_one_step)
     for (const bool is_planar : {true, false})
       {
         RandomDeformations random(34);
-        MaterialPoint      point(entries, Kinematics::finite_strain);
+        PointOfMaterial    point(entries, Kinematics::finite_strain);
         Tensor<2, 3>       gradient;
         MaterialResponse   before;
         for (unsigned int step = 0; step < 4; ++step)
@@ -188,9 +188,9 @@ BOOST_AUTO_TEST_CASE(superposed_rotation)
        {hencky, linear, voce, prager, armstrong_frederick})
     for (const bool is_planar : {true, false})
       {
-        const MaterialPoint point =
+        const PointOfMaterial point =
           entries == hencky ?
-            MaterialPoint(entries, Kinematics::finite_strain) :
+            PointOfMaterial(entries, Kinematics::finite_strain) :
             loaded(entries, is_planar);
         for (unsigned int i = 0; i < 10; ++i)
           {
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(flow_keeps_the_volume)
     for (const bool is_planar : {true, false})
       {
         RandomDeformations random(36);
-        MaterialPoint      point(entries, Kinematics::finite_strain);
+        PointOfMaterial    point(entries, Kinematics::finite_strain);
         for (unsigned int step = 0; step < 50; ++step)
           {
             point.advance(random.gradient(0.3, is_planar));
@@ -255,8 +255,8 @@ BOOST_AUTO_TEST_CASE(small_strain_limit)
                 linear + "set Yield stress = " + std::to_string(0.3 * h * E) +
                   "\n"})
             {
-              MaterialPoint small(entries, Kinematics::small_strain);
-              MaterialPoint finite(entries, Kinematics::finite_strain);
+              PointOfMaterial small(entries, Kinematics::small_strain);
+              PointOfMaterial finite(entries, Kinematics::finite_strain);
               // two steps: the second from a history
               for (const double factor : {0.7, -0.6})
                 {
@@ -278,9 +278,9 @@ BOOST_AUTO_TEST_CASE(small_strain_limit)
 // rounding for periodic functions.
 BOOST_AUTO_TEST_CASE(no_work_around_a_cycle)
 {
-  const MaterialPoint point(hencky, Kinematics::finite_strain);
-  const unsigned int  n    = 200;
-  double              work = 0., size = 0.;
+  const PointOfMaterial point(hencky, Kinematics::finite_strain);
+  const unsigned int    n    = 200;
+  double                work = 0., size = 0.;
   for (unsigned int i = 0; i < n; ++i)
     {
       const double t = 2. * numbers::PI * i / n;
@@ -306,8 +306,8 @@ BOOST_AUTO_TEST_CASE(inverted_deformations)
 {
   for (const std::string &entries : {hencky, linear})
     {
-      const MaterialPoint point(entries, Kinematics::finite_strain);
-      Tensor<2, 3>        gradient;
+      const PointOfMaterial point(entries, Kinematics::finite_strain);
+      Tensor<2, 3>          gradient;
       gradient[0][0]              = -1.25;
       const auto says_determinant = [](const MaterialFailure &failure) {
         return std::string(failure.what()).find("-0.25") != std::string::npos;

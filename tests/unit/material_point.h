@@ -26,10 +26,10 @@ namespace Signorini
   }
 
   /** A material with what one of its points remembers. */
-  class MaterialPoint
+  class PointOfMaterial
   {
   public:
-    MaterialPoint(const std::string &entries, const Kinematics kinematics)
+    PointOfMaterial(const std::string &entries, const Kinematics kinematics)
       : material(test_material(entries, kinematics))
       , history_n(material->n_history_values())
     {}
@@ -40,9 +40,9 @@ namespace Signorini
             const double                step_size = 1.) const
     {
       history = history_n;
-      return material->respond(gradient,
-                               step_size,
-                               dealii::make_array_view(history_n),
+      return material->respond({gradient,
+                                {step_size, {}},
+                                dealii::make_array_view(history_n)},
                                dealii::make_array_view(history));
     }
 
@@ -173,7 +173,7 @@ namespace Signorini
    * For finite strains the Lie derivative.
    */
   inline dealii::SymmetricTensor<4, 3>
-  numerical_tangent(const MaterialPoint        &point,
+  numerical_tangent(const PointOfMaterial      &point,
                     const dealii::Tensor<2, 3> &gradient,
                     const double                h,
                     const double                step_size = 1.)

@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace dealii
@@ -23,6 +24,26 @@ namespace Signorini
   {
     small_strain, // products of displacement gradients are neglected
     finite_strain
+  };
+
+  /** The step that leads to a deformation, as a law sees it. */
+  struct MaterialStep
+  {
+    // s, read by laws that depend on the rate. 0: at once, so that nothing
+    // flows; the stress is that of a body at rest.
+    double size = 0.;
+
+    // At the end of the step, in the unit of its reference. None: as at its
+    // start.
+    std::optional<double> temperature;
+  };
+
+  /** What a law is asked about. */
+  struct MaterialPoint
+  {
+    dealii::Tensor<2, 3>            gradient; // du_i/dX_j at the end, 1
+    MaterialStep                    step;
+    dealii::ArrayView<const double> history_n; // of the start of the step
   };
 
   /** What a material answers to a deformation. */
@@ -42,6 +63,10 @@ namespace Signorini
     // Integral of the stress over the plastic strain since the start, J/m^3.
     // Together with the energy this is the work of the stress.
     double plastic_work_density;
+
+    // Work of the stress against thermal strain since the start, J/m^3; it
+    // goes into the body.
+    double heating_density = 0.;
   };
 
   /**
@@ -72,18 +97,14 @@ namespace Signorini
     /**
      * Allocates nothing.
      *
-     * @param displacement_gradient du_i/dX_j at the end of the step
-     * @param step_size s, read by laws that depend on the rate
-     * @param history_n n_history_values() numbers of the start of the step;
-     *                  a point without a past has zeros
-     * @param history   gets those of its end; must not overlap history_n
+     * @param point   with n_history_values() numbers of the start of the step;
+     *                without a past they are zeros
+     * @param history gets those of its end; must not overlap the old ones
      * @throws MaterialFailure when there is no answer.
      */
     virtual MaterialResponse
-    respond(const dealii::Tensor<2, 3>           &displacement_gradient,
-            const double                          step_size,
-            const dealii::ArrayView<const double> history_n,
-            const dealii::ArrayView<double>       history) const = 0;
+    respond(const MaterialPoint            &point,
+            const dealii::ArrayView<double> history) const = 0;
 
     /**
      * The same for a sheet: the strain across it, entry zz of the gradient, is
@@ -92,13 +113,11 @@ namespace Signorini
      * Stress zz is zero to 1e-12 of the stress. The tangent is that of
      * respond(); it still has to be condensed.
      *
-     * @param displacement_gradient comes with a guess of zz, and gets its value
+     * @param point comes with a guess of zz, and gets its value
      * @throws MaterialFailure also when the strain is not found.
      */
     virtual MaterialResponse
-    respond_in_plane_stress(dealii::Tensor<2, 3> &displacement_gradient,
-                            const double          step_size,
-                            const dealii::ArrayView<const double> history_n,
+    respond_in_plane_stress(MaterialPoint                  &point,
                             const dealii::ArrayView<double> history) const;
 
     /** Numbers that a point remembers between two steps. */
@@ -112,6 +131,13 @@ namespace Signorini
     /** Can it flow plastically, without change of volume? */
     virtual bool
     flows() const
+    {
+      return false;
+    }
+
+    /** Does it have a thermal strain? */
+    virtual bool
+    expands() const
     {
       return false;
     }

@@ -24,10 +24,8 @@ namespace Signorini
     NeoHooke(const ElasticConstants &constants, const double density);
 
     MaterialResponse
-    respond(const dealii::Tensor<2, 3>           &displacement_gradient,
-            const double                          step_size,
-            const dealii::ArrayView<const double> history_n,
-            const dealii::ArrayView<double>       history) const override;
+    respond(const MaterialPoint            &point,
+            const dealii::ArrayView<double> history) const override;
 
     unsigned int
     n_history_values() const override

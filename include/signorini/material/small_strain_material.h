@@ -16,17 +16,13 @@ namespace Signorini
                         const double                     density);
 
     MaterialResponse
-    respond(const dealii::Tensor<2, 3>           &displacement_gradient,
-            const double                          step_size,
-            const dealii::ArrayView<const double> history_n,
-            const dealii::ArrayView<double>       history) const override;
+    respond(const MaterialPoint            &point,
+            const dealii::ArrayView<double> history) const override;
 
     MaterialResponse
     respond_in_plane_stress(
-      dealii::Tensor<2, 3>                 &displacement_gradient,
-      const double                          step_size,
-      const dealii::ArrayView<const double> history_n,
-      const dealii::ArrayView<double>       history) const override;
+      MaterialPoint                  &point,
+      const dealii::ArrayView<double> history) const override;
 
   private:
     dealii::SymmetricTensor<2, 3>

@@ -47,7 +47,8 @@ namespace Signorini
 
     /**
      * @param trial_strain the elastic strain if nothing flows in this step
-     * @param step_size    s, read by laws that depend on the rate
+     * @param step_size    s, read by laws that depend on the rate; 0: at once,
+     *                     so that nothing flows
      * @throws MaterialFailure when there is no answer.
      */
     virtual StrainResponse

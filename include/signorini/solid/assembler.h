@@ -7,6 +7,7 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -19,6 +20,7 @@ namespace Signorini
     std::vector<double> history;            // of the points of all bodies
     double              stored_energy = 0.; // J
     double              plastic_work  = 0.; // since the start, J
+    double              heating       = 0.; // since the start, J
   };
 
   /** A step of the bodies to a displacement. */
@@ -27,6 +29,9 @@ namespace Signorini
     const DofVector &displacement;             // of all unknowns, m
     double           size           = 0.;      // s
     const DofVector *displacement_n = nullptr; // at its start, m
+
+    // At its end, s. None: temperatures are those of its start.
+    std::optional<double> time;
   };
 
   /** Numbers that the points of a body remember between two steps. */

@@ -16,6 +16,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,20 @@ namespace Signorini
       return own == region_materials_.end() ? *material_ : *own->second;
     }
 
+    /** Its temperature at places (before the deformation) and times; null if
+     * nothing is said of it. */
+    const SpaceTimeFunction<dim> *
+    temperature() const
+    {
+      return temperature_ ? &*temperature_ : nullptr;
+    }
+
+    void
+    set_temperature(const SpaceTimeFunction<dim> &temperature)
+    {
+      temperature_ = temperature;
+    }
+
     /** All materials of the body: of the regions, and that of the rest. */
     std::vector<const Material *>
     materials() const;
@@ -223,6 +238,7 @@ namespace Signorini
     std::unique_ptr<dealii::Mapping<dim>>    mapping_;
     std::unique_ptr<dealii::DoFHandler<dim>> dof_handler_;
     std::unique_ptr<Material>                material_;
+    std::optional<SpaceTimeFunction<dim>>    temperature_;
     std::map<dealii::types::material_id, std::unique_ptr<Material>>
                            region_materials_;
     double                 thickness_;

@@ -59,6 +59,7 @@ namespace Signorini
 
     double energy_density;       // J/m^3
     double plastic_work_density; // J/m^3
+    double heating_density = 0.; // J/m^3
   };
 
   /**
@@ -78,7 +79,7 @@ namespace Signorini
    * @param plane_gradient the gradient in the body's coordinates, rows i
    * @param thickness_strain du_z/dZ in plane strain, where mean dilatation may
    *                       ask for it, and u_r/R around an axis; else not read
-   * @param step_size      s, see Material::respond()
+   * @param step           see Material::respond()
    * @param history_n      n_history_values() numbers, of the start of the step
    * @param history        gets those of its end
    *
@@ -94,7 +95,7 @@ namespace Signorini
           const Material                       &material,
           const dealii::Tensor<2, dim>         &plane_gradient,
           const double                          thickness_strain,
-          const double                          step_size,
+          const MaterialStep                   &step,
           const dealii::ArrayView<const double> history_n,
           const dealii::ArrayView<double>       history);
 
