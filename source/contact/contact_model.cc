@@ -378,19 +378,20 @@ namespace Signorini
 
 
   template <int dim>
-  void
-  ContactModel<dim>::add_geometric_stiffness(
+  std::vector<StiffnessBlock>
+  ContactModel<dim>::geometric_stiffness(
     const std::vector<ContactPoint<dim>> &points,
-    const std::vector<double>            &normal_forces,
-    InterfaceMatrix                      &stiffness) const
+    const std::vector<double>            &normal_forces) const
   {
+    std::vector<StiffnessBlock> blocks;
     for (unsigned int k = 0; k < n_contacts_; ++k)
       {
         if (normal_forces[k] == 0.)
           continue;
         for (const GapCurvature &curvature : points[k].curvatures)
-          interface_.add_curvature(curvature, -normal_forces[k], stiffness);
+          blocks.push_back(interface_.block(curvature, -normal_forces[k]));
       }
+    return blocks;
   }
 
 

@@ -58,19 +58,35 @@ namespace Signorini
 
 
 
-  void
-  InterfaceNumbering::add_curvature(const GapCurvature &curvature,
-                                    const double        factor,
-                                    InterfaceMatrix    &matrix) const
+  StiffnessBlock
+  InterfaceNumbering::block(const GapCurvature &curvature,
+                            const double        factor) const
   {
-    const auto &[unknowns, second_derivative] = curvature;
+    // 1. What is on the interface
+    std::vector<unsigned int> kept;
+    StiffnessBlock            result;
+    for (unsigned int i = 0; i < curvature.unknowns.size(); ++i)
+      if (index_[curvature.unknowns[i]] < unknowns_.size())
+        {
+          kept.push_back(i);
+          result.unknowns.push_back(index_[curvature.unknowns[i]]);
+        }
+
+    // 2. Its part of the second derivative
+    result.matrix.reinit(kept.size(), kept.size());
+    for (unsigned int i = 0; i < kept.size(); ++i)
+      for (unsigned int j = 0; j < kept.size(); ++j)
+        result.matrix(i, j) = factor * curvature.matrix(kept[i], kept[j]);
+    return result;
+  }
+
+
+
+  void
+  StiffnessBlock::add_to(InterfaceMatrix &stiffness) const
+  {
     for (unsigned int i = 0; i < unknowns.size(); ++i)
       for (unsigned int j = 0; j < unknowns.size(); ++j)
-        {
-          const unsigned int row    = index_[unknowns[i]];
-          const unsigned int column = index_[unknowns[j]];
-          if (row < unknowns_.size() && column < unknowns_.size())
-            matrix(row, column) += factor * second_derivative(i, j);
-        }
+        stiffness(unknowns[i], unknowns[j]) += matrix(i, j);
   }
 } // namespace Signorini

@@ -72,7 +72,7 @@ namespace Signorini
                       const State                          &old_state,
                       const std::vector<ContactPoint<dim>> &points,
                       const StepContact<dim>               &step_contact,
-                      EffectiveSystem<dim>                 &system,
+                      ContactSystem<dim>                   &system,
                       State                                &state)
   {
     const double undue = step_contact.undue_work();
@@ -130,7 +130,7 @@ namespace Signorini
     const State &,                              \
     const std::vector<ContactPoint<dim>> &,     \
     const StepContact<dim> &,                   \
-    EffectiveSystem<dim> &,                     \
+    ContactSystem<dim> &,                       \
     State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE

@@ -31,7 +31,7 @@ namespace Signorini
     const SolidModel<dim>                             &solid,
     const typename SolidModel<dim>::RedistributedMass &mass,
     const std::vector<ContactPoint<dim>>              &points,
-    EffectiveSystem<dim>                              &system,
+    ContactSystem<dim>                                &system,
     State                                             &state)
   {
     // The motion in a time tau that is short against every oscillation of the
@@ -71,7 +71,7 @@ namespace Signorini
     const SolidModel<dim>::RedistributedMass &, \
     const std::vector<ContactPoint<dim>> &,     \
                                                 \
-    EffectiveSystem<dim> &,                     \
+    ContactSystem<dim> &,                       \
     State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE

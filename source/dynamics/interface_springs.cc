@@ -1,6 +1,6 @@
-// The part of EffectiveSystem that solves the interface problem, with springs
-// where its stiffness is not positive definite by itself.
-#include <signorini/dynamics/effective_system.h>
+// The part of CondensedContactSystem that solves the interface problem, with
+// springs where its stiffness is not positive definite by itself.
+#include <signorini/dynamics/condensed_contact_system.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/variational_inequality/interface_types.h>
@@ -107,7 +107,7 @@ namespace Signorini
 
   template <int dim>
   InterfaceSolution
-  EffectiveSystem<dim>::solve_interface_problem(
+  CondensedContactSystem<dim>::solve_interface_problem(
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &multipliers,
     InterfaceVector                      &reduced_force)
@@ -141,14 +141,16 @@ namespace Signorini
 
   template <int dim>
   InterfaceMatrix
-  EffectiveSystem<dim>::interface_stiffness(
+  CondensedContactSystem<dim>::interface_stiffness(
     const std::vector<ContactPoint<dim>> &points,
     const InterfaceForces                &multipliers) const
   {
     InterfaceMatrix stiffness = stiffness_.matrix();
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       stiffness(i, i) -= trailing_spring_[i];
-    contact_.add_geometric_stiffness(points, multipliers.normal, stiffness);
+    for (const StiffnessBlock &block :
+         contact_.geometric_stiffness(points, multipliers.normal))
+      block.add_to(stiffness);
     return stiffness;
   }
 
@@ -156,9 +158,10 @@ namespace Signorini
 
   template <int dim>
   InterfaceSolution
-  EffectiveSystem<dim>::solve_with_springs(const InterfaceMatrix &stiffness,
-                                           const InterfaceVector &force,
-                                           const InterfaceForces &multipliers)
+  CondensedContactSystem<dim>::solve_with_springs(
+    const InterfaceMatrix &stiffness,
+    const InterfaceVector &force,
+    const InterfaceForces &multipliers)
   {
     constexpr unsigned int most_passes = 10;
     InterfaceForces        forces      = multipliers;
@@ -219,10 +222,11 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::hold_closed_contacts(const InterfaceForces &forces,
-                                             const InterfaceMatrix &stiffness,
-                                             std::vector<Spring>   &springs,
-                                             std::vector<double>   &rests) const
+  CondensedContactSystem<dim>::hold_closed_contacts(
+    const InterfaceForces &forces,
+    const InterfaceMatrix &stiffness,
+    std::vector<Spring>   &springs,
+    std::vector<double>   &rests) const
   {
     const auto hold = [&](const SparseRow &row, const double rest) {
       springs.push_back({row, series_stiffness(row, stiffness)});
@@ -246,11 +250,11 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template InterfaceSolution EffectiveSystem<dim>::solve_interface_problem( \
-    const std::vector<ContactPoint<dim>> &,                                 \
-    const InterfaceForces &,                                                \
-    InterfaceVector &);
+#define INSTANTIATE(dim)                                                  \
+  template InterfaceSolution CondensedContactSystem<                      \
+    dim>::solve_interface_problem(const std::vector<ContactPoint<dim>> &, \
+                                  const InterfaceForces &,                \
+                                  InterfaceVector &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

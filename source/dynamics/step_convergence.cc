@@ -206,7 +206,7 @@ namespace Signorini
           as_text(settings_.force_tolerance) + ")",
         "Contacts come and go from one iteration to the next: smaller steps, "
         "Surface = spline or a finer mesh there help"};
-    if (!system_.algorithm().enforces_exactly())
+    if (!system_->enforces_exactly())
       return {};
     return unmet_gap(state, points, iterate);
   }

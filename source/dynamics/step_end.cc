@@ -57,14 +57,14 @@ namespace Signorini
                  old_state,
                  state);
     if (settings_.time.dynamic && settings_.time.return_contact_work &&
-        system_.algorithm().enforces_exactly())
+        system_->enforces_exactly())
       {
         return_contact_work(contact_,
                             inertia_.mass(state),
                             old_state,
                             points,
                             contact,
-                            system_,
+                            *system_,
                             state);
         measure_motion(state);
       }

@@ -13,7 +13,7 @@ namespace Signorini
   using namespace dealii;
 
   template <int dim>
-  typename EffectiveSystem<dim>::Factors
+  SystemFactors
   TimeStep<dim>::effective_factors(const double step_size) const
   {
     if (!settings_.time.dynamic)
@@ -113,16 +113,16 @@ namespace Signorini
     const auto factors = effective_factors(step_size);
     if (solid_.is_linear())
       {
-        system_.factorise(factors);
+        system_->factorise(factors);
         return;
       }
     try
       {
-        system_.factorise(factors, &tangent_);
+        system_->factorise(factors, &tangent_);
         if (has_free_modes_)
-          system_.place(state.displacement);
-        if (system_.is_indefinite())
-          note_indefinite(system_.indefinite_unknown(), state);
+          system_->place(state.displacement);
+        if (system_->is_indefinite())
+          note_indefinite(system_->indefinite_unknown(), state);
       }
     catch (const NotPositiveDefinite &error)
       {
@@ -269,26 +269,25 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim)                                                      \
-  template typename EffectiveSystem<dim>::Factors                             \
-                TimeStep<dim>::effective_factors(const double) const;         \
-  template void TimeStep<dim>::respond(const State &, const double, State &); \
-  template bool TimeStep<dim>::has_tangent_of(const State &) const;           \
-  template void TimeStep<dim>::move_supports(const State &,                   \
-                                             const double,                    \
-                                             State &);                        \
-  template void TimeStep<dim>::factorise(const double, const State &);        \
-  template void TimeStep<dim>::note_indefinite(const unsigned int,            \
-                                               const State &);                \
-  template void TimeStep<dim>::update_rates(const State &,                    \
-                                            const double,                     \
-                                            State &) const;                   \
-  template void TimeStep<dim>::update_rigid_rates(const State &,              \
-                                                  const double,               \
-                                                  State &) const;             \
-  template void TimeStep<dim>::set_rigid_residual(const State &,              \
-                                                  const State &,              \
-                                                  DofVector &) const;         \
+#define INSTANTIATE(dim)                                                       \
+  template SystemFactors TimeStep<dim>::effective_factors(const double) const; \
+  template void TimeStep<dim>::respond(const State &, const double, State &);  \
+  template bool TimeStep<dim>::has_tangent_of(const State &) const;            \
+  template void TimeStep<dim>::move_supports(const State &,                    \
+                                             const double,                     \
+                                             State &);                         \
+  template void TimeStep<dim>::factorise(const double, const State &);         \
+  template void TimeStep<dim>::note_indefinite(const unsigned int,             \
+                                               const State &);                 \
+  template void TimeStep<dim>::update_rates(const State &,                     \
+                                            const double,                      \
+                                            State &) const;                    \
+  template void TimeStep<dim>::update_rigid_rates(const State &,               \
+                                                  const double,                \
+                                                  State &) const;              \
+  template void TimeStep<dim>::set_rigid_residual(const State &,               \
+                                                  const State &,               \
+                                                  DofVector &) const;          \
   template DofVector TimeStep<dim>::residual(const State &, const State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE

@@ -146,12 +146,11 @@ namespace Signorini
 
   template <int dim>
   double
-  TimeStep<dim>::follow(
-    const State                                     &old_state,
-    const double                                     step_size,
-    const typename EffectiveSystem<dim>::Correction &correction,
-    InterfaceForces                                 &forces,
-    State                                           &state)
+  TimeStep<dim>::follow(const State             &old_state,
+                        const double             step_size,
+                        const ContactCorrection &correction,
+                        InterfaceForces         &forces,
+                        State                   &state)
   {
     constexpr double smallest = 1. / 64.;
     const DofVector  start(state.displacement);
@@ -181,12 +180,11 @@ namespace Signorini
   template void   TimeStep<dim>::begin(const State &, const Step &, State &);   \
   template bool   TimeStep<dim>::predict(const State &, const Step &, State &); \
   template double TimeStep<dim>::first_share() const;                           \
-  template double TimeStep<dim>::follow(                                        \
-    const State &,                                                              \
-    const double,                                                               \
-    const EffectiveSystem<dim>::Correction &,                                   \
-    InterfaceForces &,                                                          \
-    State &);
+  template double TimeStep<dim>::follow(const State &,                          \
+                                        const double,                           \
+                                        const ContactCorrection &,              \
+                                        InterfaceForces &,                      \
+                                        State &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

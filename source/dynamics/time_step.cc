@@ -19,12 +19,12 @@ namespace Signorini
     // mass from the beginning, those that come near later lose it then.
     constexpr double near_distance = 0.1;
 
-    std::unique_ptr<InterfaceAlgorithm>
-    create_algorithm(AlgorithmParameters parameters, const double factor)
+    AlgorithmParameters
+    scaled(AlgorithmParameters parameters, const double factor)
     {
       parameters.penalty_stiffness *= factor;
       parameters.tangential_penalty_stiffness *= factor;
-      return make_interface_algorithm(parameters);
+      return parameters;
     }
 
     // Largest extent of all bodies together along a coordinate, m.
@@ -85,11 +85,12 @@ namespace Signorini
                contact,
                settings.time.dynamic &&
                  settings.time.contact_mass != "consistent")
-    , system_(solid,
-              contact,
-              create_algorithm(settings.algorithm, scheme_.multiplier_factor),
-              !settings.time.dynamic,
-              timings)
+    , system_(make_contact_system(solid,
+                                  contact,
+                                  scaled(settings.algorithm,
+                                         scheme_.multiplier_factor),
+                                  !settings.time.dynamic,
+                                  timings))
     , largest_mass_(settings.time.dynamic ? largest_diagonal(solid.mass()) : 0.)
     , largest_stiffness_(largest_diagonal(solid.stiffness()))
     , extent_(extent(solid))
@@ -135,10 +136,10 @@ namespace Signorini
         state.massless_nodes =
           inertia_.near(points, state, near_distance * extent_);
         inertia_.mass(state).redistribution.extrapolate(state.velocity);
-        system_.use_mass(inertia_.mass(state).matrix,
-                         state.massless_nodes.empty());
+        system_->use_mass(inertia_.mass(state).matrix,
+                          state.massless_nodes.empty());
         balance_initial_acceleration(
-          solid_, inertia_.mass(state), points, system_, state);
+          solid_, inertia_.mass(state), points, *system_, state);
       }
     respond(before, settings_.time.step_size, state);
     if (!settings_.time.dynamic)
@@ -179,7 +180,7 @@ namespace Signorini
       catch (const StepFailed &)
         {
           // No shorter step helps against a surface that wrinkles.
-          if (!lacks_mass_ || !system_.algorithm().enforces_exactly())
+          if (!lacks_mass_ || !system_->enforces_exactly())
             {
               failed_step_ = step.number;
               throw;
@@ -203,8 +204,8 @@ namespace Signorini
     lacks_mass_ = false;
     residuals_.clear();
     if (settings_.time.dynamic)
-      system_.use_mass(inertia_.mass(old_state).matrix,
-                       old_state.massless_nodes.empty());
+      system_->use_mass(inertia_.mass(old_state).matrix,
+                        old_state.massless_nodes.empty());
     begin(old_state, step, state);
     const std::string held = contact_.held_penetration(state.configuration());
     if (!held.empty())
@@ -272,10 +273,10 @@ namespace Signorini
     factorise(step_size, state);
     try
       {
-        auto correction    = system_.correct(residual,
-                                          points,
-                                          iterate.multipliers,
-                                          old_state.contact);
+        auto correction    = system_->correct(residual,
+                                           points,
+                                           iterate.multipliers,
+                                           old_state.contact);
         state.kkt_residual = correction.kkt_residual;
         if (!correction.fallback_contacts.empty())
           fallbacks_ =

@@ -7,7 +7,6 @@
 #include <signorini/run/step_driver.h>
 #include <signorini/time/step_error.h>
 #include <signorini/time/step_plan.h>
-#include <signorini/variational_inequality/interface_problem_io.h>
 
 #include <algorithm>
 #include <fstream>
@@ -391,10 +390,11 @@ namespace Signorini
   void
   StepDriver<dim>::write_interface(const std::string &path, Log &log) const
   {
-    if (time_step_.interface_problem().size() == 0)
+    std::ostringstream text;
+    time_step_.write_last_problem(text);
+    if (text.str().empty())
       return;
-    std::ofstream file(result_file(path));
-    write_interface_problem(time_step_.interface_problem(), file);
+    std::ofstream(result_file(path)) << text.str();
     log.line("interface problem in " + path);
   }
 

@@ -217,9 +217,9 @@ namespace Signorini
     const auto                &dofs = contact.interface_dofs();
     const unsigned int         n    = dofs.size();
     dealii::FullMatrix<double> stiffness(n, n), differences(n, n);
-    contact.add_geometric_stiffness(contact.evaluate({u, 0.}),
-                                    multipliers,
-                                    stiffness);
+    for (const auto &block :
+         contact.geometric_stiffness(contact.evaluate({u, 0.}), multipliers))
+      block.add_to(stiffness);
     const double h = 1e-6;
     for (unsigned int j = 0; j < n; ++j)
       {

@@ -159,12 +159,11 @@ namespace Signorini
 
     /**
      * The geometric contact term - sum_k lambda_k grad grad g_k on the
-     * interface unknowns, added to a dense matrix. N/m.
+     * interface unknowns, in small blocks that add up. N/m.
      */
-    void
-    add_geometric_stiffness(const std::vector<ContactPoint<dim>> &points,
-                            const std::vector<double>            &normal_forces,
-                            InterfaceMatrix &stiffness) const;
+    std::vector<StiffnessBlock>
+    geometric_stiffness(const std::vector<ContactPoint<dim>> &points,
+                        const std::vector<double> &normal_forces) const;
 
   private:
     unsigned int

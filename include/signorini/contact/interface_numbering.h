@@ -9,6 +9,16 @@
 
 namespace Signorini
 {
+  /** A dense part of a stiffness that is sparse as a whole. */
+  struct StiffnessBlock
+  {
+    std::vector<unsigned int> unknowns; // of the interface
+    InterfaceMatrix           matrix;   // N/m
+
+    void
+    add_to(InterfaceMatrix &stiffness) const;
+  };
+
   /**
    * The unknowns that contacts touch, counted in the order in which they are
    * added: those are the unknowns of the interface problem.
@@ -37,11 +47,9 @@ namespace Signorini
     SparseRow
     row(const SparseRow &of_all, const double factor) const;
 
-    /** matrix += factor grad grad g on the unknowns of the interface. */
-    void
-    add_curvature(const GapCurvature &curvature,
-                  const double        factor,
-                  InterfaceMatrix    &matrix) const;
+    /** factor grad grad g on the unknowns of the interface. */
+    StiffnessBlock
+    block(const GapCurvature &curvature, const double factor) const;
 
   private:
     void

@@ -2,7 +2,7 @@
 #define signorini_dynamics_contact_work_h
 
 #include <signorini/contact/contact_model.h>
-#include <signorini/dynamics/effective_system.h>
+#include <signorini/dynamics/contact_system.h>
 #include <signorini/dynamics/state.h>
 #include <signorini/dynamics/step_contact.h>
 #include <signorini/solid/solid_model.h>
@@ -38,7 +38,7 @@ namespace Signorini
                       const State                          &old_state,
                       const std::vector<ContactPoint<dim>> &points,
                       const StepContact<dim>               &step_contact,
-                      EffectiveSystem<dim>                 &system,
+                      ContactSystem<dim>                   &system,
                       State                                &state);
 } // namespace Signorini
 

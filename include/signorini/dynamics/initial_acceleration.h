@@ -1,7 +1,7 @@
 #ifndef signorini_dynamics_initial_acceleration_h
 #define signorini_dynamics_initial_acceleration_h
 
-#include <signorini/dynamics/effective_system.h>
+#include <signorini/dynamics/contact_system.h>
 #include <signorini/dynamics/state.h>
 
 namespace Signorini
@@ -18,7 +18,7 @@ namespace Signorini
     const SolidModel<dim>                             &solid,
     const typename SolidModel<dim>::RedistributedMass &mass,
     const std::vector<ContactPoint<dim>>              &points,
-    EffectiveSystem<dim>                              &system,
+    ContactSystem<dim>                                &system,
     State                                             &state);
 } // namespace Signorini
 

@@ -3,7 +3,7 @@
 
 #include <signorini/contact/contact_model.h>
 #include <signorini/dynamics/contact_inertia.h>
-#include <signorini/dynamics/effective_system.h>
+#include <signorini/dynamics/contact_system.h>
 #include <signorini/dynamics/state.h>
 #include <signorini/dynamics/step_failed.h>
 #include <signorini/dynamics/step_scheme.h>
@@ -104,11 +104,11 @@ namespace Signorini
       return residuals_;
     }
 
-    /** That of the last iteration. */
-    const InterfaceProblem &
-    interface_problem() const
+    /** The contact problem of the last iteration as text, if there was one. */
+    void
+    write_last_problem(std::ostream &stream) const
     {
-      return system_.interface_problem();
+      system_->write_last_problem(stream);
     }
 
   private:
@@ -151,13 +151,13 @@ namespace Signorini
     // Goes along a correction as far as the bodies can follow without a
     // failure, and returns the share of it; forces go the same share.
     double
-    follow(const State                                     &old_state,
-           const double                                     step_size,
-           const typename EffectiveSystem<dim>::Correction &correction,
-           InterfaceForces                                 &forces,
-           State                                           &state);
+    follow(const State             &old_state,
+           const double             step_size,
+           const ContactCorrection &correction,
+           InterfaceForces         &forces,
+           State                   &state);
 
-    typename EffectiveSystem<dim>::Factors
+    SystemFactors
     effective_factors(const double step_size) const;
 
     std::vector<ContactPoint<dim>>
@@ -317,25 +317,25 @@ namespace Signorini
     void
     measure_motion(State &state);
 
-    const SolidModel<dim>   &solid_;
-    const ContactModel<dim> &contact_;
-    Settings                 settings_;
-    Timings                 &timings_;
-    StepScheme               scheme_; // of the step
-    bool                     conserves_energy_;
-    ContactInertia<dim>      inertia_;
-    EffectiveSystem<dim>     system_;
-    double                   largest_mass_;      // of a node, kg
-    double                   largest_stiffness_; // of a node, N/m
-    double                   extent_;            // of all bodies, m
-    bool                     has_free_modes_;    // static: contact holds bodies
-    double                   approach_;          // before the last step, m
-    unsigned int             failed_step_;       // the last that failed
-    std::string              fallbacks_;
-    std::string              indefinite_at_;
-    std::string              mass_given_at_;
-    bool                     lacks_mass_; // indefinite at a massless node
-    std::vector<double>      residuals_;
+    const SolidModel<dim>              &solid_;
+    const ContactModel<dim>            &contact_;
+    Settings                            settings_;
+    Timings                            &timings_;
+    StepScheme                          scheme_; // of the step
+    bool                                conserves_energy_;
+    ContactInertia<dim>                 inertia_;
+    std::unique_ptr<ContactSystem<dim>> system_;
+    double                              largest_mass_;      // of a node, kg
+    double                              largest_stiffness_; // of a node, N/m
+    double                              extent_;            // of all bodies, m
+    bool                has_free_modes_; // static: contact holds bodies
+    double              approach_;       // before the last step, m
+    unsigned int        failed_step_;    // the last that failed
+    std::string         fallbacks_;
+    std::string         indefinite_at_;
+    std::string         mass_given_at_;
+    bool                lacks_mass_; // indefinite at a massless node
+    std::vector<double> residuals_;
 
     // Absolute, of each unknown, since the step began, m: what corrections are
     // rounded against.

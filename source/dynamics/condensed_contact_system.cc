@@ -1,8 +1,10 @@
-#include <signorini/dynamics/effective_system.h>
+#include <signorini/dynamics/condensed_contact_system.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/cholesky_condensation.h>
 #include <signorini/linear_algebra/sparse_cholesky.h>
+#include <signorini/variational_inequality/interface_algorithm.h>
+#include <signorini/variational_inequality/interface_problem_io.h>
 #include <signorini/variational_inequality/kkt_residual.h>
 #include <signorini/variational_inequality/solution_refinement.h>
 
@@ -70,7 +72,7 @@ namespace Signorini
 
 
   template <int dim>
-  EffectiveSystem<dim>::EffectiveSystem(
+  CondensedContactSystem<dim>::CondensedContactSystem(
     const SolidModel<dim>              &solid,
     const ContactModel<dim>            &contact,
     std::unique_ptr<InterfaceAlgorithm> algorithm,
@@ -108,7 +110,7 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::pin_free_modes()
+  CondensedContactSystem<dim>::pin_free_modes()
   {
     const DofVector        at_start(solid_.n_dofs());
     std::vector<DofVector> motions;
@@ -137,7 +139,7 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::place(const DofVector &displacement)
+  CondensedContactSystem<dim>::place(const DofVector &displacement)
   {
     if (pins_.empty())
       return;
@@ -151,8 +153,8 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::use_mass(const DofMatrix &mass,
-                                 const bool       is_everywhere)
+  CondensedContactSystem<dim>::use_mass(const DofMatrix &mass,
+                                        const bool       is_everywhere)
   {
     is_factorised_ = is_factorised_ && mass_ == &mass;
     mass_          = &mass;
@@ -163,8 +165,8 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::factorise(const Factors   &factors,
-                                  const DofMatrix *tangent)
+  CondensedContactSystem<dim>::factorise(const SystemFactors &factors,
+                                         const DofMatrix     *tangent)
   {
     if (is_factorised_ && !tangent && factors == factors_)
       return;
@@ -211,8 +213,8 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::add_spring(const unsigned int trailing,
-                                   const double       spring)
+  CondensedContactSystem<dim>::add_spring(const unsigned int trailing,
+                                          const double       spring)
   {
     matrix_.diag_element(trailing_[trailing]) += spring;
     trailing_spring_[trailing] += spring;
@@ -222,7 +224,7 @@ namespace Signorini
 
   template <int dim>
   void
-  EffectiveSystem<dim>::factorise_with_springs()
+  CondensedContactSystem<dim>::factorise_with_springs()
   {
     const DofMatrix &initial = solid_.stiffness();
     for (unsigned int i = 0; i < trailing_.size(); ++i)
@@ -256,18 +258,19 @@ namespace Signorini
 
 
   template <int dim>
-  typename EffectiveSystem<dim>::Correction
-  EffectiveSystem<dim>::correct(const DofVector                      &residual,
-                                const std::vector<ContactPoint<dim>> &points,
-                                const InterfaceForces &multipliers,
-                                const ContactState    &at_start)
+  ContactCorrection
+  CondensedContactSystem<dim>::correct(
+    const DofVector                      &residual,
+    const std::vector<ContactPoint<dim>> &points,
+    const InterfaceForces                &multipliers,
+    const ContactState                   &at_start)
   {
     InterfaceVector reduced_force;
     {
       const auto timing = timings_.measure(section_substitution_);
       reduced_force     = solver_->condense(residual);
     }
-    Correction        correction;
+    ContactCorrection correction;
     InterfaceSolution solution;
     {
       const auto timing = timings_.measure(section_interface_);
@@ -293,7 +296,8 @@ namespace Signorini
 
   template <int dim>
   double
-  EffectiveSystem<dim>::residual_of_refined(InterfaceSolution &solution) const
+  CondensedContactSystem<dim>::residual_of_refined(
+    InterfaceSolution &solution) const
   {
     // More digits than this no tolerance asks for.
     constexpr double   enough     = 1e-10;
@@ -317,7 +321,7 @@ namespace Signorini
 
   template <int dim>
   DofVector
-  EffectiveSystem<dim>::respond(const DofVector &force)
+  CondensedContactSystem<dim>::respond(const DofVector &force)
   {
     const auto      timing   = timings_.measure(section_substitution_);
     InterfaceVector trailing = solver_->condense(force);
@@ -330,7 +334,38 @@ namespace Signorini
 
 
 
-#define INSTANTIATE(dim) template class EffectiveSystem<dim>;
+  template <int dim>
+  void
+  CondensedContactSystem<dim>::write_last_problem(std::ostream &stream) const
+  {
+    if (problem_.size() > 0)
+      write_interface_problem(problem_, stream);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<ContactSystem<dim>>
+  make_contact_system(const SolidModel<dim>     &solid,
+                      const ContactModel<dim>   &contact,
+                      const AlgorithmParameters &algorithm,
+                      const bool                 is_static,
+                      Timings                   &timings)
+  {
+    return std::make_unique<CondensedContactSystem<dim>>(
+      solid, contact, make_interface_algorithm(algorithm), is_static, timings);
+  }
+
+
+
+#define INSTANTIATE(dim)                                            \
+  template class CondensedContactSystem<dim>;                       \
+  template std::unique_ptr<ContactSystem<dim>> make_contact_system( \
+    const SolidModel<dim> &,                                        \
+    const ContactModel<dim> &,                                      \
+    const AlgorithmParameters &,                                    \
+    const bool,                                                     \
+    Timings &);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

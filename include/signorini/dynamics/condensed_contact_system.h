@@ -1,7 +1,7 @@
-#ifndef signorini_dynamics_effective_system_h
-#define signorini_dynamics_effective_system_h
+#ifndef signorini_dynamics_condensed_contact_system_h
+#define signorini_dynamics_condensed_contact_system_h
 
-#include <signorini/contact/contact_model.h>
+#include <signorini/dynamics/contact_system.h>
 #include <signorini/dynamics/free_modes.h>
 #include <signorini/linear_algebra/condensed_solver.h>
 #include <signorini/linear_algebra/types.h>
@@ -16,61 +16,27 @@
 namespace Signorini
 {
   /**
-   * The effective stiffness of a step, factorised, and the interface problem
-   * that stands on it: one iteration from residual to correction.
+   * K^ factorised by Cholesky with the unknowns of the contacts last, so that
+   * the last block of the factor is the stiffness of the interface, S = L L^T:
+   * dense, and of the size of the contact surfaces. On it stands the interface
+   * problem, which an algorithm solves.
    */
   template <int dim>
-  class EffectiveSystem
+  class CondensedContactSystem : public ContactSystem<dim>
   {
   public:
-    /**
-     * K^ = stiffness K + mass M + damping C; the rows of rigid bodies are
-     * scaled once more.
-     */
-    struct Factors
-    {
-      double stiffness = 1.; // 1
-      double mass      = 0.; // 1/s^2
-      double damping   = 0.; // 1/s
-      double rigid     = 1.; // 1
-
-      bool
-      operator==(const Factors &other) const
-      {
-        return stiffness == other.stiffness && mass == other.mass &&
-               damping == other.damping && rigid == other.rigid;
-      }
-    };
-
-    /** What one iteration finds. */
-    struct Correction
-    {
-      DofVector         motion;      // of all unknowns, m
-      InterfaceForces   multipliers; // of the candidates, N
-      std::vector<char> is_slipping; // each candidate
-      double            kkt_residual;
-
-      // Where the algorithm met a set of contacts twice, so that a globally
-      // convergent method took over.
-      std::vector<unsigned int> fallback_contacts;
-    };
-
     /**
      * The models and the timings must outlive the object.
      * @param is_static what moves as a whole has no inertia that holds it back
      */
-    EffectiveSystem(const SolidModel<dim>              &solid,
-                    const ContactModel<dim>            &contact,
-                    std::unique_ptr<InterfaceAlgorithm> algorithm,
-                    const bool                          is_static,
-                    Timings                            &timings);
+    CondensedContactSystem(const SolidModel<dim>              &solid,
+                           const ContactModel<dim>            &contact,
+                           std::unique_ptr<InterfaceAlgorithm> algorithm,
+                           const bool                          is_static,
+                           Timings                            &timings);
 
-    /**
-     * M from now on; at first that of the solid. It must outlive its use.
-     * @param is_everywhere false: there are nodes without mass
-     */
     void
-    use_mass(const DofMatrix &mass, const bool is_everywhere);
+    use_mass(const DofMatrix &mass, const bool is_everywhere) override;
 
     /**
      * Assembles and factorises K^, unless it is the one at hand.
@@ -82,62 +48,44 @@ namespace Signorini
      * converges (proximal-point regularisation [Rockafellar1976]), at first on
      * the interface only, whose condensed stiffness is known without them, and
      * if that is not enough on all unknowns.
-     *
-     * @param tangent K of the present iterate; null: the constant one of a
-     *                linear solid
      * @throws NotPositiveDefinite, ComputationError.
      */
     void
-    factorise(const Factors &factors, const DofMatrix *tangent = nullptr);
+    factorise(const SystemFactors &factors,
+              const DofMatrix     *tangent = nullptr) override;
 
-    /** What can move as a whole is at this displacement now, m. */
     void
-    place(const DofVector &displacement);
+    place(const DofVector &displacement) override;
 
-    /**
-     * Solves K^ motion = residual + contact forces under the gap constraints.
-     *
-     * @param residual    without contact forces, N
-     * @param multipliers of the last iterate: the start of the search, and the
-     *                    forces of the geometric contact term
-     * @param at_start     of the contacts, at the start of the step
-     * @throws InterfaceError.
-     */
-    Correction
+    ContactCorrection
     correct(const DofVector                      &residual,
             const std::vector<ContactPoint<dim>> &points,
             const InterfaceForces                &multipliers,
-            const ContactState                   &at_start);
+            const ContactState                   &at_start) override;
 
-    /** True if K^ is indefinite, and springs were added. */
     bool
-    is_indefinite() const
+    is_indefinite() const override
     {
       return is_indefinite_;
     }
 
-    /** An unknown at which K^ is not positive definite. */
     unsigned int
-    indefinite_unknown() const
+    indefinite_unknown() const override
     {
       return indefinite_unknown_;
     }
 
-    /** K^-1 force, as if there were no contact. */
     DofVector
-    respond(const DofVector &force);
+    respond(const DofVector &force) override;
 
-    const InterfaceAlgorithm &
-    algorithm() const
+    bool
+    enforces_exactly() const override
     {
-      return *algorithm_;
+      return algorithm_->enforces_exactly();
     }
 
-    const InterfaceProblem &
-    interface_problem() const
-    {
-      return problem_;
-    }
+    void
+    write_last_problem(std::ostream &stream) const override;
 
   private:
     // The KKT residual of a solution of the interface problem, which is refined
@@ -197,7 +145,7 @@ namespace Signorini
     unsigned int                        indefinite_unknown_;
     double                              last_softness_; // of springs in K^, 1
     double                              weakest_pivot_; // allowed, static; or 0
-    Factors                             factors_;
+    SystemFactors                       factors_;
 
     // The unknowns of the interface problem: those of contact, then the pins
     // that are not among them.
