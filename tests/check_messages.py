@@ -33,7 +33,8 @@ def quoted_messages():
 
 
 def is_known(message, texts):
-    parts = [part.strip(" .,:;\"'()=") for part in message.split("...")]
+    # An entry and what is wrong with it are two texts.
+    parts = [part.strip(" .,:;\"'()=") for part in re.split(r"\.\.\.|: ", message)]
     return all(" " not in part or part in texts for part in parts)
 
 
