@@ -17,8 +17,8 @@ namespace Signorini
       const Formula formula(text, {"v"}, constants, entry);
       for (const double rate : {0., 1e-9, 1e-6, 1e-3})
         if (formula.value({rate}) < 0.)
-          throw InputError(entry + ": found " + text +
-                           ", but it must not be negative.");
+          throw InputError(entry,
+                           "found " + text + ", but it must not be negative.");
       return formula;
     }
   } // namespace
@@ -89,9 +89,10 @@ namespace Signorini
       parse_not_negative(entries, "Slip weakening length");
     const std::string entry = path("Kinetic friction coefficient");
     if (law.static_coefficient_ == 0.)
-      throw InputError(entry + ": found " + kinetic +
-                       ", but the Friction coefficient is zero. Give that of "
-                       "a contact at rest, too.");
+      throw InputError(entry,
+                       "found " + kinetic +
+                         ", but the Friction coefficient is zero. Give that of "
+                         "a contact at rest, too.");
     const Formula formula = parse_rate_function(kinetic, constants, entry);
     if (formula.depends_on("v"))
       law.coefficient_of_rate_ = std::make_shared<const Formula>(formula);

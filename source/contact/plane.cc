@@ -48,9 +48,10 @@ namespace Signorini
       parse_point<dim>(prm.get("Normal"), path + "Normal");
     prm.leave_subsection();
     if (normal.norm() == 0.)
-      throw InputError(path +
-                       "Normal: has length zero; give a direction, such as " +
-                       (dim == 2 ? "0, 1." : "0, 0, 1."));
+      throw InputError(path + "Normal",
+                       std::string(
+                         "has length zero; give a direction, such as ") +
+                         (dim == 2 ? "0, 1." : "0, 0, 1."));
     return std::make_unique<Plane<dim>>(point, normal);
   }
 

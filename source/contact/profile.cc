@@ -118,10 +118,10 @@ namespace Signorini
                                    !description.outline.empty();
       if (n_given != 1)
         throw InputError(
-          path +
-          "Points: exactly one of Points, File and Outline describes "
-          "the curve, found " +
-          (n_given == 0 ? "none of them." : std::to_string(n_given) + "."));
+          path + "Points",
+          "exactly one of Points, File and Outline describes the curve, found "
+          "" +
+            (n_given == 0 ? "none of them." : std::to_string(n_given) + "."));
       if (!description.outline.empty())
         return parse_outline(description.outline,
                              is_closed,
@@ -147,7 +147,7 @@ namespace Signorini
         }
       catch (const InputError &error)
         {
-          throw InputError(entry + ": " + error.what());
+          throw InputError(entry, error.text());
         }
     }
 
@@ -157,22 +157,24 @@ namespace Signorini
              const std::string &side,
              const std::string &path)
     {
-      const std::string entry = path + "Solid side: ";
+      const std::string entry = path + "Solid side";
       if (side == "right")
         return curve.reversed();
       if (side == "left")
         {
           if (curve.is_closed() && curve.enclosed_area() < 0.)
             throw InputError(
-              entry + "the closed curve runs clockwise, so that the body on "
-                      "its left would be everything around it. Set it to "
-                      "within for a solid outline, or to around for a hole.");
+              entry,
+              "the closed curve runs clockwise, so that the body on "
+              "its left would be everything around it. Set it to "
+              "within for a solid outline, or to around for a hole.");
           return curve;
         }
       if (!curve.is_closed())
-        throw InputError(entry + "found " + side +
-                         ", but the curve is open: left or right is allowed, "
-                         "or set Closed = true.");
+        throw InputError(entry,
+                         "found " + side +
+                           ", but the curve is open: left or right is allowed, "
+                           "or set Closed = true.");
       return (curve.enclosed_area() > 0.) == (side == "within") ?
                curve :
                curve.reversed();

@@ -31,8 +31,9 @@ namespace Signorini
         }
       catch (const InputError &)
         {
-          throw InputError(entry + ": found \"" + text + "\", allowed are " +
-                           (dim == 2 ? "x, y and rotation." : "x, y and z."));
+          throw InputError(entry,
+                           "found \"" + text + "\", allowed are " +
+                             (dim == 2 ? "x, y and rotation." : "x, y and z."));
         }
     }
   } // namespace

@@ -71,11 +71,11 @@ namespace Signorini
     const bool        inside = prm.get("Side") == "inside";
     prm.leave_subsection();
     if (radius <= 0.)
-      throw InputError(
-        path + "Radius: must be greater than zero, in m, found " + found + ".");
+      throw InputError(path + "Radius",
+                       "must be greater than zero, in m, found " + found + ".");
     if (is_cylinder && axis.norm() == 0.)
-      throw InputError(
-        path + "Axis: has length zero; give a direction, such as 0, 0, 1.");
+      throw InputError(path + "Axis",
+                       "has length zero; give a direction, such as 0, 0, 1.");
     return std::make_unique<Sphere<dim>>(centre, radius, axis, inside);
   }
 

@@ -23,9 +23,10 @@ namespace Signorini
             continue;
           const auto to = item.find(" to ");
           if (to == std::string::npos)
-            throw InputError(entry + ": \"" + item + "\" says not where it " +
-                             "ends: \"" + keyword + "a, b to x, y\" is " +
-                             "allowed.");
+            throw InputError(entry,
+                             "\"" + item + "\" says not where it " +
+                               "ends: \"" + keyword + "a, b to x, y\" is " +
+                               "allowed.");
           const Point<2> point =
             parse_point<2>(item.substr(keyword.size(), to - keyword.size()),
                            entry);
@@ -51,7 +52,6 @@ namespace Signorini
     const auto items = split_list(text, ';');
     Outline    outline(parse_point<2>(items.at(0), entry));
     // What the outline itself refuses does not know the entry yet.
-    const std::string prefix = entry + ": ";
     try
       {
         for (unsigned int i = 1; i < items.size(); ++i)
@@ -61,10 +61,7 @@ namespace Signorini
       }
     catch (const InputError &error)
       {
-        const std::string message = error.what();
-        if (message.compare(0, entry.size(), entry) == 0)
-          throw;
-        throw InputError(prefix + message);
+        throw error.entry().empty() ? InputError(entry, error.text()) : error;
       }
   }
 } // namespace Signorini

@@ -37,13 +37,14 @@ namespace Signorini
   std::vector<Point<2>>
   read_point_table(const std::string &path, const std::string &entry)
   {
-    with_path(entry + ": ", [&] { require_regular_file(path, largest_text); });
+    with_entry(entry, [&] { require_regular_file(path, largest_text); });
     std::ifstream file(path);
     std::string   line;
     if (!file || file.peek() == std::ifstream::traits_type::eof())
-      throw InputError(entry + ": the file \"" + path +
-                       "\" cannot be read or is empty. It has to be a text "
-                       "file with two columns, x and y in m.");
+      throw InputError(entry,
+                       "the file \"" + path +
+                         "\" cannot be read or is empty. It has to be a text "
+                         "file with two columns, x and y in m.");
     std::vector<Point<2>> points;
     for (unsigned int number = 1; std::getline(file, line); ++number)
       {
@@ -59,9 +60,10 @@ namespace Signorini
         if (words.size() != 2 || !read_number(words[0], point[0]) ||
             !read_number(words[1], point[1]))
           throw InputError(
-            entry + ": " + path + ":" + std::to_string(number) +
-            ": two numbers are expected, x and y in m, found \"" +
-            Utilities::trim(line) + "\".");
+            entry,
+            path + ":" + std::to_string(number) +
+              ": two numbers are expected, x and y in m, found \"" +
+              Utilities::trim(line) + "\".");
         points.push_back(point);
       }
     return points;

@@ -68,11 +68,11 @@ namespace Signorini
     [[noreturn]] void
     refuse(const FreeMotion &motion, const std::string &why)
     {
-      throw InputError(motion.owner +
-                       ": a static run needs it to be held, but it can still "
-                       "move by " +
-                       motion.mode.name + why + ". " + motion.remedy +
-                       ", or set Time / Analysis = dynamic.");
+      throw InputError(
+        motion.owner,
+        "a static run needs it to be held, but it can still move by " +
+          motion.mode.name + why + ". " + motion.remedy +
+          ", or set Time / Analysis = dynamic.");
     }
 
     // Given motions press bodies on each other in ways that loads do not tell.

@@ -110,8 +110,9 @@ namespace Signorini
   void
   Entries::refuse(const std::string &entry, const std::string &rule) const
   {
-    throw InputError((section.empty() ? "" : section + " / ") + entry + " = " +
-                     text(entry) + ": " + rule);
+    throw InputError::of_value((section.empty() ? "" : section + " / ") + entry,
+                               text(entry),
+                               rule);
   }
 
 #define INSTANTIATE(dim) \

@@ -149,12 +149,12 @@ namespace Signorini
       const auto corners =
         GridTools::compute_bounding_box(triangulation).get_boundary_points();
       std::ostringstream message;
-      message << "Keep cells near: no cell of the mesh reaches into the "
+      message << "no cell of the mesh reaches into the "
               << (dim == 2 ? "circles" : "spheres")
               << ". The mesh lies between (" << corners.first << ") and ("
               << corners.second
               << "), in m. Give a point on the body, or a larger radius.";
-      throw InputError(message.str());
+      throw InputError("Keep cells near", message.str());
     }
   } // namespace
 
@@ -202,9 +202,10 @@ namespace Signorini
     Assert(!old.has_hanging_nodes(),
            ExcMessage("The cut comes before the refinements."));
     if (mesh.boundaries.count("cut") > 0)
-      throw InputError("Keep cells near: the faces next to cells that are "
-                       "left out are the boundary \"cut\", but the mesh has a "
-                       "boundary of this name. Rename it in the mesh.");
+      throw InputError(
+        "Keep cells near",
+        "the faces next to cells that are left out are the boundary \"cut\", "
+        "but the mesh has a boundary of this name. Rename it in the mesh.");
 
     Cells<dim> cells;
     for (const auto &cell : old.active_cell_iterators())

@@ -151,11 +151,13 @@ namespace Signorini
     catch (const ExceptionBase &)
       {
         // Of the library: cells without a size, or without digits left for it.
-        throw InputError("Mesh: no " + name +
-                         " can be made of these measures. They are too large, "
-                         "too small, or too different from each other: a body "
-                         "that is far away from the origin beside its size has "
-                         "no digits left for its cells.");
+        throw InputError(
+          "Mesh",
+          "no " + name +
+            " can be made of these measures. They are too large, "
+            "too small, or too different from each other: a body "
+            "that is far away from the origin beside its size has "
+            "no digits left for its cells.");
       }
     if (formulation == "axisymmetric")
       check_axisymmetric(mesh);
@@ -178,11 +180,11 @@ namespace Signorini
         if (cell->vertex(v)[0] < -tolerance)
           {
             std::ostringstream message;
-            message << "Mesh: x is the distance from the axis (Formulation = "
+            message << "x is the distance from the axis (Formulation = "
                     << "axisymmetric), so that the mesh must lie in x >= 0, "
                     << "but it has a vertex at (" << cell->vertex(v)
                     << "). Move the mesh, or mesh only its right half.";
-            throw InputError(message.str());
+            throw InputError("Mesh", message.str());
           }
 
     const auto axis = mesh.boundaries.find("axis");
@@ -194,11 +196,11 @@ namespace Signorini
           if (std::abs(face->vertex(v)[0]) > tolerance)
             {
               std::ostringstream message;
-              message << "Mesh: the boundary \"axis\" must lie on x = 0 "
+              message << "the boundary \"axis\" must lie on x = 0 "
                       << "(Formulation = axisymmetric), but has a vertex at ("
                       << face->vertex(v)
                       << "). Give the centre the coordinate x = 0.";
-              throw InputError(message.str());
+              throw InputError("Mesh", message.str());
             }
   }
 

@@ -79,8 +79,8 @@ namespace Signorini
           "The refinements of the mesh make more than 20 million cells. Ask "
           "for fewer in the section of the body (Initial refinements, Global "
           "refinements, Refinements towards, Refinements near).");
-      with_path("The refinements of the mesh: ",
-                [&] { require_memory(n_cells, dim); });
+      with_prefix("The refinements of the mesh: ",
+                  [&] { require_memory(n_cells, dim); });
     }
 
     template <int dim>
@@ -199,7 +199,7 @@ namespace Signorini
   MeshRefinement<dim>::apply(Mesh<dim> &mesh) const
   {
     // A misspelt boundary is found before the work.
-    with_path("Refinements towards: ", [&] {
+    with_entry("Refinements towards", [&] {
       for (const Towards &item : towards)
         mesh.boundary(item.boundary);
     });

@@ -210,7 +210,7 @@ namespace Signorini
       if (!std::filesystem::exists(path, ignored))
         throw InputError(asked_by + name + " does not exist." +
                          suggested_file(path));
-      with_path(asked_by, [&] { require_regular_file(path, largest_text); });
+      with_prefix(asked_by, [&] { require_regular_file(path, largest_text); });
       std::ifstream stream(path);
       if (!stream)
         throw InputError(asked_by + name +

@@ -56,10 +56,11 @@ namespace Signorini
   {
     const auto expressions = split_list(text, ';');
     if (expressions.size() != n_components)
-      throw InputError(entry + ": found " + std::to_string(expressions.size()) +
-                       " expression(s) in \"" + text + "\", expected " +
-                       std::to_string(n_components) +
-                       ", separated by semicolons.");
+      throw InputError(entry,
+                       "found " + std::to_string(expressions.size()) +
+                         " expression(s) in \"" + text + "\", expected " +
+                         std::to_string(n_components) +
+                         ", separated by semicolons.");
     for (const std::string &expression : expressions)
       components_.emplace_back(expression,
                                variables<dim>(dependence),

@@ -38,15 +38,16 @@ namespace Signorini
     const double youngs_modulus = prm.get_double("Young's modulus");
     const double poissons_ratio = prm.get_double("Poisson's ratio");
     if (!(youngs_modulus > 0.))
-      throw InputError("Young's modulus: must be greater than zero, "
-                       "in Pa (steel: 210e9), found " +
-                       prm.get("Young's modulus") + ".");
+      throw InputError(
+        "Young's modulus",
+        "must be greater than zero, in Pa (steel: 210e9), found " +
+          prm.get("Young's modulus") + ".");
     if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
-      throw InputError("Poisson's ratio: must lie between -1 and "
-                       "0.5, both excluded, found " +
-                       prm.get("Poisson's ratio") +
-                       ". For a nearly incompressible material take 0.4999; "
-                       "elements do not lock with Dilatation = automatic.");
+      throw InputError("Poisson's ratio",
+                       "must lie between -1 and 0.5, both excluded, found " +
+                         prm.get("Poisson's ratio") +
+                         ". For a nearly incompressible material take 0.4999; "
+                         "elements do not lock with Dilatation = automatic.");
     return from(youngs_modulus, poissons_ratio);
   }
 

@@ -25,14 +25,15 @@ namespace Signorini
     std::vector<YieldCurve::Entry>
     read_file(const std::string &path)
     {
-      with_path(name + ": ", [&] { require_regular_file(path, largest_text); });
+      with_entry(name, [&] { require_regular_file(path, largest_text); });
       std::ifstream file(path);
       std::string   line;
       if (!file || file.peek() == std::ifstream::traits_type::eof())
-        throw InputError(name + ": the file \"" + path +
-                         "\" cannot be read or is empty. It has to be a text "
-                         "file with two columns, plastic strain and yield "
-                         "stress in Pa.");
+        throw InputError(name,
+                         "the file \"" + path +
+                           "\" cannot be read or is empty. It has to be a text "
+                           "file with two columns, plastic strain and yield "
+                           "stress in Pa.");
       std::vector<YieldCurve::Entry> entries;
       for (unsigned int number = 1; std::getline(file, line); ++number)
         {
@@ -45,10 +46,11 @@ namespace Signorini
           YieldCurve::Entry  entry;
           if (!(stream >> entry.strain >> entry.stress) ||
               !(stream >> std::ws).eof())
-            throw InputError(name + ": " + path + ":" + std::to_string(number) +
-                             ": two numbers are expected, plastic strain and "
-                             "yield stress in Pa, found \"" +
-                             Utilities::trim(line) + "\".");
+            throw InputError(name,
+                             path + ":" + std::to_string(number) +
+                               ": two numbers are expected, plastic strain and "
+                               "yield stress in Pa, found \"" +
+                               Utilities::trim(line) + "\".");
           entries.push_back(entry);
         }
       return entries;
@@ -81,37 +83,40 @@ namespace Signorini
   check_hardening_table(const std::vector<YieldCurve::Entry> &entries)
   {
     if (entries.empty())
-      throw InputError(name + ": is empty, but Hardening = table needs it. "
-                              "Write points `plastic strain: yield stress', "
-                              "such as 0: 235e6 | 0.1: 360e6.");
+      throw InputError(
+        name,
+        "is empty, but Hardening = table needs it. Write points `plastic "
+        "strain: yield stress', such as 0: 235e6 | 0.1: 360e6.");
     if (entries[0].strain != 0.)
-      throw InputError(name +
-                       ": the first plastic strain must be zero, where "
-                       "the material begins to flow, found " +
-                       as_text(entries[0].strain) + ".");
+      throw InputError(
+        name,
+        "the first plastic strain must be zero, where the material begins to "
+        "flow, found " +
+          as_text(entries[0].strain) + ".");
     for (unsigned int i = 0; i < entries.size(); ++i)
       {
         const auto [strain, stress] = entries[i];
         const std::string where = " at the plastic strain " + as_text(strain);
         if (!(stress > 0.) || !std::isfinite(stress))
-          throw InputError(name +
-                           ": the yield stress must be greater than "
-                           "zero, in Pa, found " +
-                           as_text(stress) + where + ".");
+          throw InputError(
+            name,
+            "the yield stress must be greater than zero, in Pa, found " +
+              as_text(stress) + where + ".");
         if (i == 0)
           continue;
         if (!(strain > entries[i - 1].strain) || !std::isfinite(strain))
-          throw InputError(name +
-                           ": the plastic strain must grow from point "
-                           "to point, found " +
-                           as_text(strain) + " after " +
-                           as_text(entries[i - 1].strain) + ".");
+          throw InputError(
+            name,
+            "the plastic strain must grow from point to point, found " +
+              as_text(strain) + " after " + as_text(entries[i - 1].strain) +
+              ".");
         if (!(stress >= entries[i - 1].stress))
-          throw InputError(name + ": the yield stress must not fall, found " +
-                           as_text(stress) + where + " after " +
-                           as_text(entries[i - 1].stress) +
-                           ". What softens fails in one layer of elements, and "
-                           "the result would depend on the mesh.");
+          throw InputError(
+            name,
+            "the yield stress must not fall, found " + as_text(stress) + where +
+              " after " + as_text(entries[i - 1].stress) +
+              ". What softens fails in one layer of elements, and "
+              "the result would depend on the mesh.");
       }
   }
 } // namespace Signorini

@@ -52,17 +52,18 @@ namespace Signorini
     KinematicHardening hardening;
     hardening.modulus = prm.get_double("Kinematic hardening modulus");
     if (!(hardening.modulus > 0.))
-      throw InputError("Kinematic hardening modulus: must be greater than "
-                       "zero, in Pa, found " +
-                       prm.get("Kinematic hardening modulus") +
-                       ". Without it set Kinematic hardening = none.");
+      throw InputError("Kinematic hardening modulus",
+                       "must be greater than zero, in Pa, found " +
+                         prm.get("Kinematic hardening modulus") +
+                         ". Without it set Kinematic hardening = none.");
     if (kind == "linear")
       return hardening;
     hardening.recovery = prm.get_double("Dynamic recovery");
     if (!(hardening.recovery > 0.))
-      throw InputError("Dynamic recovery: must be greater than zero, found " +
-                       prm.get("Dynamic recovery") +
-                       ". Without recovery set Kinematic hardening = linear.");
+      throw InputError(
+        "Dynamic recovery",
+        "must be greater than zero, found " + prm.get("Dynamic recovery") +
+          ". Without recovery set Kinematic hardening = linear.");
     return hardening;
   }
 } // namespace Signorini

@@ -82,9 +82,9 @@ namespace Signorini
     {
       const double density = prm.get_double("Density");
       if (!(density >= 0.))
-        throw InputError("Density: must not be negative, in kg/m^3, "
-                         "found " +
-                         prm.get("Density") + ".");
+        throw InputError("Density",
+                         "must not be negative, in kg/m^3, found " +
+                           prm.get("Density") + ".");
       return density;
     }
   } // namespace
@@ -178,7 +178,7 @@ namespace Signorini
       }
     catch (const InputError &error)
       {
-        throw InputError(section + " / " + error.what());
+        throw error.in_section(section);
       }
   }
 } // namespace Signorini

@@ -49,13 +49,14 @@ namespace Signorini
     const double coefficient    = prm.get_double("Rate coefficient");
     const double reference_rate = prm.get_double("Reference rate");
     if (!(coefficient >= 0.))
-      throw InputError("Rate coefficient: must not be negative, found " +
-                       prm.get("Rate coefficient") +
-                       ". Metals have 0.001 to 0.05.");
+      throw InputError("Rate coefficient",
+                       "must not be negative, found " +
+                         prm.get("Rate coefficient") +
+                         ". Metals have 0.001 to 0.05.");
     if (!(reference_rate > 0.))
-      throw InputError("Reference rate: must be greater than zero, in 1/s, "
-                       "found " +
-                       prm.get("Reference rate") + ".");
+      throw InputError("Reference rate",
+                       "must be greater than zero, in 1/s, found " +
+                         prm.get("Reference rate") + ".");
     return {coefficient, reference_rate};
   }
 

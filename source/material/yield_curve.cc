@@ -130,33 +130,34 @@ namespace Signorini
     const double yield_stress = prm.get_double("Yield stress");
     const double modulus      = prm.get_double("Hardening modulus");
     if (!(yield_stress > 0.))
-      throw InputError("Yield stress: must be greater than zero, in Pa (mild "
-                       "steel: 235e6), found " +
-                       prm.get("Yield stress") +
-                       ". A material that never flows has Law = elastic.");
+      throw InputError(
+        "Yield stress",
+        "must be greater than zero, in Pa (mild steel: 235e6), found " +
+          prm.get("Yield stress") +
+          ". A material that never flows has Law = elastic.");
     if (!(modulus >= 0.))
-      throw InputError("Hardening modulus: must not be negative, in Pa, "
-                       "found " +
-                       prm.get("Hardening modulus") +
-                       ". What softens fails in one layer of elements, and the "
-                       "result would depend on the mesh. Zero is a material "
-                       "without hardening.");
+      throw InputError(
+        "Hardening modulus",
+        "must not be negative, in Pa, found " + prm.get("Hardening modulus") +
+          ". What softens fails in one layer of elements, and the "
+          "result would depend on the mesh. Zero is a material "
+          "without hardening.");
     if (kind == "linear")
       return linear(yield_stress, modulus);
 
     const double saturation_stress = prm.get_double("Saturation stress");
     const double exponent          = prm.get_double("Saturation exponent");
     if (!(saturation_stress >= yield_stress))
-      throw InputError("Saturation stress: must not be less than the Yield "
-                       "stress, " +
-                       prm.get("Yield stress") + " Pa, found " +
-                       prm.get("Saturation stress") + ".");
+      throw InputError("Saturation stress",
+                       "must not be less than the Yield stress, " +
+                         prm.get("Yield stress") + " Pa, found " +
+                         prm.get("Saturation stress") + ".");
     if (!(exponent > 0.))
-      throw InputError("Saturation exponent: must be greater than zero, "
-                       "found " +
-                       prm.get("Saturation exponent") +
-                       ". With 10, most of the hardening is over at a plastic "
-                       "strain of 0.3.");
+      throw InputError(
+        "Saturation exponent",
+        "must be greater than zero, found " + prm.get("Saturation exponent") +
+          ". With 10, most of the hardening is over at a plastic "
+          "strain of 0.3.");
     return voce(yield_stress, modulus, saturation_stress, exponent);
   }
 

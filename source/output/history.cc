@@ -35,18 +35,18 @@ namespace Signorini
            dealii::ExcMessage("Columns have to be added before the rows."));
     // No two pairs or bodies have one name; monitors have whichever they got.
     if (has_column(name))
-      throw InputError(
-        "Output / Monitor: two columns of the history would have "
-        "the name \"" +
-        name +
-        "\". Give one of the monitors, or the body, another "
-        "name.");
+      throw InputError("Output / Monitor",
+                       "two columns of the history would have the name \"" +
+                         name +
+                         "\". Give one of the monitors, or the body, another "
+                         "name.");
     if ((name + unit).find_first_of(",[]\"\n") != std::string::npos)
-      throw InputError("Output: a column of the history would have the name '" +
-                       name +
-                       "', with one of the characters , [ ] or \", which part "
-                       "columns and units. Give the monitor, or the boundary, "
-                       "another name.");
+      throw InputError(
+        "Output",
+        "a column of the history would have the name '" + name +
+          "', with one of the characters , [ ] or \", which part "
+          "columns and units. Give the monitor, or the boundary, "
+          "another name.");
     column_list.push_back({name, unit});
     return column_list.size() - 1;
   }

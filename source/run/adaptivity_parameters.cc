@@ -101,15 +101,17 @@ namespace Signorini
     parameters.time                 = prm.get_double("Time");
     parameters.step_size            = prm.get_double("Step size");
     if (parameters.time > end_time)
-      throw InputError("Adaptivity / Time: found " + prm.get("Time") +
-                       " s, which is after the End time of the run. Choose a "
-                       "time within the run.");
+      throw InputError("Adaptivity / Time",
+                       "found " + prm.get("Time") +
+                         " s, which is after the End time of the run. Choose a "
+                         "time within the run.");
     if (parameters.time == 0.)
       parameters.time = end_time;
     if (parameters.step_size > parameters.time)
-      throw InputError("Adaptivity / Step size: found " + prm.get("Step size") +
-                       " s, which is more than the time that is to be "
-                       "reached. Choose a shorter step.");
+      throw InputError("Adaptivity / Step size",
+                       "found " + prm.get("Step size") +
+                         " s, which is more than the time that is to be "
+                         "reached. Choose a shorter step.");
     prm.leave_subsection();
     return parameters;
   }

@@ -45,10 +45,12 @@ namespace Signorini
               !pair.target.empty())
             return pair;
         }
-      throw InputError(entry + ": found \"" + text +
-                       "\". Write \"BODY.BOUNDARY on RIGID BODY\", for "
-                       "instance \"beam.bottom on floor\", or \"BODY.BOUNDARY "
-                       "on BODY.BOUNDARY\".");
+      throw InputError(
+        entry,
+        "found \"" + text +
+          "\". Write \"BODY.BOUNDARY on RIGID BODY\", for "
+          "instance \"beam.bottom on floor\", or \"BODY.BOUNDARY "
+          "on BODY.BOUNDARY\".");
     }
 
     // One deformable side of a pair.
@@ -73,9 +75,9 @@ namespace Signorini
         }
       catch (const InputError &error)
         {
-          std::string text = error.what();
+          std::string text = error.text();
           text[0]          = std::tolower(text[0]);
-          throw InputError(entry + ": body " + body.name() + ": " + text);
+          throw InputError(entry, "body " + body.name() + ": " + text);
         }
       return {&body, boundary};
     }
@@ -185,10 +187,11 @@ namespace Signorini
       std::vector<std::string> names;
       for (const auto &rigid_body : rigid_bodies)
         names.push_back(rigid_body->name());
-      throw InputError(entry + ": there is no rigid body \"" + target + "\"." +
-                       did_you_mean(target, names) +
-                       " The rigid bodies are: " + comma_separated(names) +
-                       ". A deformable target is written BODY.BOUNDARY.");
+      throw InputError(entry,
+                       "there is no rigid body \"" + target + "\"." +
+                         did_you_mean(target, names) +
+                         " The rigid bodies are: " + comma_separated(names) +
+                         ". A deformable target is written BODY.BOUNDARY.");
     }
 
     // In the order of their bodies and boundaries, whatever the word between.
@@ -206,9 +209,9 @@ namespace Signorini
                                     pairs[p].target->name();
           const auto [other, is_new] = known.emplace(sides, texts[p]);
           if (!is_new)
-            throw InputError(entry + ": \"" + other->second + "\" and \"" +
-                             texts[p] +
-                             "\" are the same pair. Remove one of them.");
+            throw InputError(entry,
+                             "\"" + other->second + "\" and \"" + texts[p] +
+                               "\" are the same pair. Remove one of them.");
         }
     }
 
@@ -218,10 +221,11 @@ namespace Signorini
     {
       if (!friction.is_frictionless() &&
           (algorithm == "ando" || algorithm == "two step"))
-        throw InputError("Contact / Algorithm: " + algorithm +
-                         " needs a slip with a sign, as in two dimensions, but "
-                         "there is friction in three. Set Algorithm = "
-                         "semismooth Newton.");
+        throw InputError(
+          "Contact / Algorithm",
+          algorithm + " needs a slip with a sign, as in two dimensions, but "
+                      "there is friction in three. Set Algorithm = "
+                      "semismooth Newton.");
     }
 
     template <int dim>
@@ -234,11 +238,11 @@ namespace Signorini
       const std::string name =
         pair.contactor.substr(0, pair.contactor.find('.'));
       if (find_rigid_body(name, rigid_bodies))
-        throw InputError(entry + ": found \"" + pair.text + "\", but \"" +
-                         name +
-                         "\" is a rigid body. It stands after \"on\": write "
-                         "\"BODY.BOUNDARY on " +
-                         name + "\".");
+        throw InputError(entry,
+                         "found \"" + pair.text + "\", but \"" + name +
+                           "\" is a rigid body. It stands after \"on\": write "
+                           "\"BODY.BOUNDARY on " +
+                           name + "\".");
       Side<dim> contactor = parse_side(pair.contactor, solid);
       std::unique_ptr<const ContactTarget<dim>> target;
       const Body<dim>                          *target_body = nullptr;
@@ -262,15 +266,16 @@ namespace Signorini
           target = std::make_unique<RigidTarget<dim>>(*rigid_body);
         }
       if (dim == 3 && constraint == ContactConstraint::mortar)
-        throw InputError("Contact / Constraint: mortar is for 2-D; in 3-D use "
-                         "node to surface.");
+        throw InputError("Contact / Constraint",
+                         "mortar is for 2-D; in 3-D use node to surface.");
       for (const Body<dim> *const body : {contactor.body, target_body})
         if (body && body->scalar_fe().degree > 2 &&
             constraint == ContactConstraint::mortar)
           throw InputError(
-            "Contact / Constraint: mortar is for elements of degree 1 and 2, but body " +
-            body->name() + " has degree " +
-            std::to_string(body->scalar_fe().degree) + ".");
+            "Contact / Constraint",
+            "mortar is for elements of degree 1 and 2, but body " +
+              body->name() + " has degree " +
+              std::to_string(body->scalar_fe().degree) + ".");
       return {contactor.body,
               contactor.boundary,
               std::move(target),

@@ -36,7 +36,7 @@ namespace Signorini
       return names;
     }
 
-    const std::string quantities_entry = "Adaptivity / Quantities: ";
+    const std::string quantities_entry = "Adaptivity / Quantities";
 
     // Of the longest edge, m.
     template <typename Cell>
@@ -123,7 +123,7 @@ namespace Signorini
     History history;
     add_columns(result_columns(problem), history);
     const ResultFields<dim> fields(problem);
-    with_path(quantities_entry, [&] {
+    with_entry(quantities_entry, [&] {
       for (const std::string &name : names_)
         {
           expressions_.emplace_back(name);
@@ -160,7 +160,7 @@ namespace Signorini
     ResultFields<dim> fields(problem);
     fields.show(state);
     for (const CheckExpression &expression : expressions_)
-      record.quantities.push_back(with_path(quantities_entry, [&] {
+      record.quantities.push_back(with_entry(quantities_entry, [&] {
         return expression.evaluate(history, fields);
       }));
     record.change = change_since_coarser(record);

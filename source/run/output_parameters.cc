@@ -118,8 +118,9 @@ namespace Signorini
         const std::string separator = " at ";
         const std::size_t at        = place.find(separator);
         if (at == std::string::npos)
-          throw InputError(entry + ": found \"" + place +
-                           "\". Write \"NAME: BODY at x, y\".");
+          throw InputError(entry,
+                           "found \"" + place +
+                             "\". Write \"NAME: BODY at x, y\".");
         const Body<dim> &body =
           solid.body(Utilities::trim(place.substr(0, at)), entry);
         const Point<dim> point =

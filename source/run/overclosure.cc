@@ -32,8 +32,7 @@ namespace Signorini
       // A deformable target is BODY.BOUNDARY; names have no dots.
       const bool is_rigid = pair.target->name().find('.') == std::string::npos;
       std::ostringstream message;
-      message << "Contact / Pairs: at t = 0 the node of body "
-              << pair.body->name() << " at ("
+      message << "at t = 0 the node of body " << pair.body->name() << " at ("
               << pair.contactor.nodes[node].point << ") lies " << depth
               << " m inside of \"" << pair.target->name()
               << "\". Move them apart, "
@@ -41,7 +40,7 @@ namespace Signorini
                              "sphere, cylinder) round, " :
                              "")
               << "or set Contact / Overclosure = press fit or adjust.";
-      throw InputError(message.str());
+      throw InputError("Contact / Pairs", message.str());
     }
   } // namespace
 
@@ -79,7 +78,7 @@ namespace Signorini
       }
     const std::string held = contact.held_penetration({displacement, 0.});
     if (!held.empty())
-      throw InputError("Contact / Pairs: " + held);
+      throw InputError("Contact / Pairs", held);
   }
 
 

@@ -95,8 +95,7 @@ namespace Signorini
     for (unsigned int p = 0; p < found.size(); ++p)
       if (found[p] && problem.contact_parameters.of_pairs[p].overclosure ==
                         Overclosure::refuse)
-        throw InputError("Contact / Pairs: " +
-                         in_words(pairs[p], *found[p], 0.));
+        throw InputError("Contact / Pairs", in_words(pairs[p], *found[p], 0.));
       else if (found[p])
         allowed_[p] = found[p]->depth;
     remember(configuration);

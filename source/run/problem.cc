@@ -121,8 +121,8 @@ namespace Signorini
         if (is_dynamic && !unknowns[c].motion && unknowns[c].mass <= 0.)
           throw InputError(
             "Rigid body " + name + " / " +
-            (c == 2 && unknowns[0].mass > 0. ? "Moment of inertia" : "Mass") +
-            ": must be greater than zero in a dynamic run, since the body has "
+              (c == 2 && unknowns[0].mass > 0. ? "Moment of inertia" : "Mass"),
+            "must be greater than zero in a dynamic run, since the body has "
             "free components. Give it, or set Time / Analysis = static.");
     }
 

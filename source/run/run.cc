@@ -65,14 +65,12 @@ namespace Signorini
       return text.str();
     }
 
-    // Messages begin with a path, "Body beam / Material / Law: ...". Puts the
-    // place in front where this entry, or else the nearest section around it,
-    // stands; without any, the file.
+    // The message with the place in front where the entry of the error, or
+    // else the nearest section around it, stands; without any, the file.
     std::string
-    with_place(const ParameterFile &file, const std::string &message)
+    with_place(const ParameterFile &file, const InputError &error)
     {
-      std::string path =
-        message.substr(0, std::min(message.find(": "), message.find(" = ")));
+      std::string path = error.entry();
       for (std::size_t slash = path.find(" / "); slash != std::string::npos;
            slash             = path.find(" / "))
         path.replace(slash, 3, "/");
@@ -80,19 +78,12 @@ namespace Signorini
         {
           const std::string place = file.where(path);
           if (place != "default")
-            return place + ": " + message;
+            return place + ": " + error.what();
           const std::size_t slash = path.rfind('/');
           path = slash == std::string::npos ? "" : path.substr(0, slash);
         }
-      return file.path() + ": " + message;
+      return file.path() + ": " + error.what();
     }
-
-    // An InputError that names the file and the line already.
-    class PlacedInputError : public InputError
-    {
-    public:
-      using InputError::InputError;
-    };
 
     // What the action returns; wrong input is reported with its place.
     template <typename Action>
@@ -103,13 +94,9 @@ namespace Signorini
         {
           return action();
         }
-      catch (const PlacedInputError &)
-        {
-          throw;
-        }
       catch (const InputError &error)
         {
-          throw PlacedInputError(with_place(file, error.what()));
+          throw InputError(with_place(file, error));
         }
     }
 
@@ -194,10 +181,9 @@ namespace Signorini
         file, problem_conditions<dim>(outline), prm, defaults);
       const ProblemCreator<dim> create =
         [&](const std::vector<RefinementPasses> &passes) {
-          const auto   timing  = timings.measure("set-up");
-          Problem<dim> problem = with_places(file, [&] {
-            return Problem<dim>::create(outline, file.directory(), passes, prm);
-          });
+          const auto   timing = timings.measure("set-up");
+          Problem<dim> problem =
+            Problem<dim>::create(outline, file.directory(), passes, prm);
           choose_blas_threads(problem.solid->n_dofs());
           return problem;
         };
@@ -209,7 +195,8 @@ namespace Signorini
       if (options.resume)
         warnings = find_checkpoint(base, file.path(), *options.resume, task);
 
-      Problem<dim> problem = create(task.passes);
+      Problem<dim> problem =
+        with_places(file, [&] { return create(task.passes); });
       // What is wrong in the checks, the algorithm or the quantities is found
       // before anything is written.
       auto simulation = with_places(file, [&] {

@@ -31,7 +31,7 @@ namespace Signorini
         .count();
     }
 
-    const std::string checks_entry = "Expected results / Checks: ";
+    const std::string checks_entry = "Expected results / Checks";
 
     std::string
     step_sizes_in_words(const StepCounts &counts)
@@ -61,8 +61,8 @@ namespace Signorini
             problem.output.time_between_fields)
     , fields_(problem)
     , expected_(
-        with_path(checks_entry,
-                  [&] { return ExpectedResults(problem.output.checks); }))
+        with_entry(checks_entry,
+                   [&] { return ExpectedResults(problem.output.checks); }))
     , checkpoint_clock_(problem.output.steps_between_checkpoints,
                         problem.output.minutes_between_checkpoints)
     , columns_(result_columns(problem))
@@ -71,8 +71,8 @@ namespace Signorini
   {
     record_.step_memory = StepMemory(problem.time.step_size);
     add_columns(columns_, record_.history);
-    with_path(checks_entry,
-              [&] { expected_.check_names(record_.history, fields_); });
+    with_entry(checks_entry,
+               [&] { expected_.check_names(record_.history, fields_); });
   }
 
 

@@ -146,32 +146,32 @@ namespace Signorini
     , formulation_(formulation)
     , kinematics_(kinematics)
     , has_mean_dilatation_(false)
-    , mesh_(with_path("Body " + name + " / ",
-                      [&] {
-                        return create_mesh<dim>(prm,
-                                                base_directory,
-                                                formulation ==
-                                                    Formulation::axisymmetric ?
-                                                  "axisymmetric" :
-                                                  "");
-                      }))
-    , material_(with_path("Body " + name + " / ",
-                          [&] {
-                            return create_material("Material",
-                                                   kinematics_,
-                                                   base_directory,
-                                                   prm);
-                          }))
+    , mesh_(
+        with_section("Body " + name,
+                     [&] {
+                       return create_mesh<dim>(prm,
+                                               base_directory,
+                                               formulation ==
+                                                   Formulation::axisymmetric ?
+                                                 "axisymmetric" :
+                                                 "");
+                     }))
+    , material_(with_section("Body " + name,
+                             [&] {
+                               return create_material("Material",
+                                                      kinematics_,
+                                                      base_directory,
+                                                      prm);
+                             }))
     , thickness_(prm.get_double("Thickness"))
     , mass_damping_(prm.get_double("Mass damping"))
     , stiffness_damping_(prm.get_double("Stiffness damping"))
     , first_dof_(first_dof)
   {
     if (thickness_ <= 0.)
-      throw InputError("Body " + name +
-                       " / Thickness: must be greater than zero, in m, "
-                       "found " +
-                       prm.get("Thickness") + ".");
+      throw InputError("Body " + name + " / Thickness",
+                       "must be greater than zero, in m, found " +
+                         prm.get("Thickness") + ".");
     refine_again(passes, *mesh_.triangulation);
     create_region_materials(base_directory, prm);
     choose_dilatation(prm);
@@ -193,19 +193,17 @@ namespace Signorini
             std::vector<std::string> names;
             for (const auto &[known, id] : mesh_.regions)
               names.push_back(known);
-            throw InputError("Body " + name_ +
-                             " / Regions: the mesh has no "
-                             "region \"" +
-                             region + "\"." + did_you_mean(region, names) +
-                             " It has: " + comma_separated(names) + ".");
+            throw InputError("Body " + name_ + " / Regions",
+                             "the mesh has no region \"" + region + "\"." +
+                               did_you_mean(region, names) +
+                               " It has: " + comma_separated(names) + ".");
           }
-        region_materials_[found->second] =
-          with_path("Body " + name_ + " / ", [&] {
-            return create_material("Material " + region,
-                                   kinematics_,
-                                   base_directory,
-                                   prm);
-          });
+        region_materials_[found->second] = with_section("Body " + name_, [&] {
+          return create_material("Material " + region,
+                                 kinematics_,
+                                 base_directory,
+                                 prm);
+        });
       }
   }
 
@@ -219,10 +217,10 @@ namespace Signorini
     if (formulation_ == Formulation::plane_stress)
       {
         if (choice == "mean")
-          throw InputError("Body " + name_ +
-                           " / Dilatation: mean has no sense in plane stress, "
-                           "where the thickness follows and nothing locks. Set "
-                           "Dilatation = automatic.");
+          throw InputError(
+            "Body " + name_ + " / Dilatation",
+            "mean has no sense in plane stress, where the thickness follows "
+            "and nothing locks. Set Dilatation = automatic.");
         return;
       }
     has_mean_dilatation_ = choice == "mean";
@@ -315,11 +313,10 @@ namespace Signorini
     if (nearest->point.distance(point) > reach)
       {
         std::ostringstream message;
-        message << entry << ": the point (" << point
-                << ") lies outside of body \"" << name_
-                << "\"; its nearest node is at (" << nearest->point
+        message << "the point (" << point << ") lies outside of body \""
+                << name_ << "\"; its nearest node is at (" << nearest->point
                 << "). Give a point on the body.";
-        throw InputError(message.str());
+        throw InputError(entry, message.str());
       }
     return *nearest;
   }

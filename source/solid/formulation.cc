@@ -109,8 +109,9 @@ namespace Signorini
     for (const auto &[name, formulation] : names)
       if (text == name)
         return formulation;
-    throw InputError("Formulation: found \"" + text + "\", allowed are " +
-                     formulation_names() + ".");
+    throw InputError("Formulation",
+                     "found \"" + text + "\", allowed are " +
+                       formulation_names() + ".");
   }
 
 

@@ -38,10 +38,10 @@ namespace Signorini
         const Body<dim> &body = *part.body;
         for (const Material *const material : body.materials())
           if (material->density() <= 0.)
-            throw InputError("Body " + body.name() +
-                             " / Material / Density: must be greater than zero "
-                             "in a dynamic run, in kg/m^3. Without inertia set "
-                             "Time / Analysis = static.");
+            throw InputError(
+              "Body " + body.name() + " / Material / Density",
+              "must be greater than zero in a dynamic run, in kg/m^3. Without "
+              "inertia set Time / Analysis = static.");
         add_mass(body, dof_map_.constraints(), inertia.lumped, 1., mass_);
         if (body.mass_damping() > 0.)
           add_mass(body,

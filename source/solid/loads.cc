@@ -173,10 +173,7 @@ namespace Signorini
         }
       catch (const InputError &error)
         {
-          const std::string reason = error.what();
-          throw InputError(reason.compare(0, entry.size(), entry) == 0 ?
-                             reason :
-                             entry + ": " + reason);
+          throw error.entry().empty() ? InputError(entry, error.text()) : error;
         }
   }
 
@@ -221,9 +218,9 @@ namespace Signorini
         rotation_axis_ = parse_point<3>(prm.get("Rotation axis"),
                                         section(*body_) + "Rotation axis");
         if (rotation_axis_.norm() == 0.)
-          throw InputError(section(*body_) +
-                           "Rotation axis: has length zero; give a direction, "
-                           "such as 0, 0, 1.");
+          throw InputError(
+            section(*body_) + "Rotation axis",
+            "has length zero; give a direction, such as 0, 0, 1.");
         rotation_axis_ /= rotation_axis_.norm();
       }
   }

@@ -161,13 +161,13 @@ namespace Signorini
     throw_too_thin(const Body<dim> &body, const Point<dim> &point)
     {
       std::ostringstream message;
-      message << "Body " << body.name() << ": the contact node at (" << point
+      message << "the contact node at (" << point
               << ") has too few inner nodes around it to carry its mass. "
                  "Contact mass = redistributed needs two layers of cells "
                  "behind a contact boundary: refine the mesh, name fewer "
                  "boundaries in the contact pairs, or set Time / Contact mass "
                  "= consistent.";
-      throw InputError(message.str());
+      throw InputError("Body " + body.name(), message.str());
     }
   } // namespace
 

@@ -46,10 +46,10 @@ namespace Signorini
         if (dof_map.constraints().is_constrained(dofs[c]))
           {
             std::ostringstream message;
-            message << "Body " << body.name() << " / Supports / Sliding: two "
-                    << "boundaries meet at (" << sliding.node.point
+            message << "two boundaries meet at (" << sliding.node.point
                     << "). Fix the node there, or let one of them slide.";
-            throw InputError(message.str());
+            throw InputError("Body " + body.name() + " / Supports / Sliding",
+                             message.str());
           }
         if (!dof_map.is_prescribed(dofs[c]) &&
             (follower == dim ||

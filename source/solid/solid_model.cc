@@ -84,9 +84,10 @@ namespace Signorini
           return *part.body;
         names.push_back(part.body->name());
       }
-    throw InputError(entry + ": there is no body \"" + name + "\"." +
-                     did_you_mean(name, names) +
-                     " The bodies are: " + comma_separated(names) + ".");
+    throw InputError(entry,
+                     "there is no body \"" + name + "\"." +
+                       did_you_mean(name, names) +
+                       " The bodies are: " + comma_separated(names) + ".");
   }
 
 
@@ -238,10 +239,10 @@ namespace Signorini
   {
     for (const auto &part : parts_)
       if (!part.supports.absorbing_boundaries().empty())
-        throw InputError("Body " + part.body->name() +
-                         " / Supports / Absorbing: dashpots resist velocities, "
-                         "and a static run has none. Fix the boundary, or set "
-                         "Time / Analysis = dynamic.");
+        throw InputError(
+          "Body " + part.body->name() + " / Supports / Absorbing",
+          "dashpots resist velocities, and a static run has none. Fix the "
+          "boundary, or set Time / Analysis = dynamic.");
   }
 
 
@@ -416,9 +417,10 @@ namespace Signorini
           if (!dof_map_.is_constrained(node.dofs[c]))
             resultant[c] += force[node.dofs[c]];
     if (resultant.norm() == 0.)
-      throw InputError("Contact / Relative penalty stiffness: the bodies carry "
-                       "no load whose stiffness could be the measure. Give "
-                       "the Penalty stiffness in N/m.");
+      throw InputError(
+        "Contact / Relative penalty stiffness",
+        "the bodies carry no load whose stiffness could be the measure. Give "
+        "the Penalty stiffness in N/m.");
     try
       {
         SparseCholesky cholesky;
@@ -430,9 +432,10 @@ namespace Signorini
       }
     catch (const NotPositiveDefinite &)
       {
-        throw InputError("Contact / Relative penalty stiffness: a body can "
-                         "move freely and has no static stiffness. Give the "
-                         "Penalty stiffness in N/m.");
+        throw InputError(
+          "Contact / Relative penalty stiffness",
+          "a body can move freely and has no static stiffness. Give the "
+          "Penalty stiffness in N/m.");
       }
   }
 

@@ -96,8 +96,9 @@ namespace Signorini
         }
       catch (const InputError &error)
         {
-          throw InputError(entry + ": " + error.what() +
-                           " A single node is written \"point x, y\".");
+          throw InputError(entry,
+                           error.text() +
+                             " A single node is written \"point x, y\".");
         }
     }
   } // namespace
@@ -168,8 +169,9 @@ namespace Signorini
         {
           const std::size_t equal = motion.find('=');
           if (equal == std::string::npos)
-            throw InputError(prescribed + ": found \"" + motion +
-                             "\". Write \"component = expression\".");
+            throw InputError(prescribed,
+                             "found \"" + motion +
+                               "\". Write \"component = expression\".");
           motions_.push_back(std::make_unique<SpaceTimeFunction<dim>>(
             motion.substr(equal + 1),
             1,
@@ -182,14 +184,14 @@ namespace Signorini
               motions_.back().get());
         }
 
-    with_path(section + "From global run: ", [&] {
+    with_entry(section + "From global run", [&] {
       follow_global_run(body, prm.get("From global run"), global_run);
     });
-    with_path(section + "Sliding: ", [&] {
+    with_entry(section + "Sliding", [&] {
       for (const std::string &boundary : split_list(prm.get("Sliding"), '|'))
         add_sliding_nodes(body, boundary);
     });
-    with_path(section + "Absorbing: ", [&] {
+    with_entry(section + "Absorbing", [&] {
       for (const std::string &boundary : split_list(prm.get("Absorbing"), '|'))
         absorbing_boundaries_.insert(body.mesh().boundary(boundary));
     });

@@ -20,11 +20,11 @@ namespace Signorini
     {
       if (condition)
         return;
-      throw InputError("Time / " + entry + ": " + rule +
-                       " is required, found " + found + ". Otherwise " +
-                       consequence +
-                       ". Mend the numbers in the section Time, or choose "
-                       "another Scheme.");
+      throw InputError("Time / " + entry,
+                       rule + " is required, found " + found + ". Otherwise " +
+                         consequence +
+                         ". Mend the numbers in the section Time, or choose "
+                         "another Scheme.");
     }
 
     std::string

@@ -171,46 +171,50 @@ namespace Signorini
       {
         const double time = parse_number(text, entry);
         if (time <= 0.)
-          throw InputError(entry + ": found " + text +
-                           ". Times must be greater than zero, in s; a run "
-                           "begins at t = 0 anyway.");
+          throw InputError(entry,
+                           "found " + text +
+                             ". Times must be greater than zero, in s; a run "
+                             "begins at t = 0 anyway.");
         control.times_to_meet.push_back(time);
       }
     std::sort(control.times_to_meet.begin(), control.times_to_meet.end());
     // Beyond it a time and the next one are the same number.
     if (control.minimal_size > 0. && control.minimal_size < 1e-12 * end_time)
-      throw InputError(
-        "Time / Minimal step size: found " + as_text(control.minimal_size) +
-        " s, which is less than 1e-12 of the End time of " + as_text(end_time) +
-        " s: times so close cannot be told apart. Choose a "
-        "greater one, or 0 for 1/1024 of the Step size.");
+      throw InputError("Time / Minimal step size",
+                       "found " + as_text(control.minimal_size) +
+                         " s, which is less than 1e-12 of the End time of " +
+                         as_text(end_time) +
+                         " s: times so close cannot be told apart. Choose a "
+                         "greater one, or 0 for 1/1024 of the Step size.");
     if (control.minimal_size > control.initial_size)
-      throw InputError("Time / Minimal step size: found " +
-                       as_text(control.minimal_size) +
-                       " s, which is greater than the Step size of " +
-                       as_text(control.initial_size) +
-                       " s. Choose a smaller one, or 0 for the default.");
+      throw InputError("Time / Minimal step size",
+                       "found " + as_text(control.minimal_size) +
+                         " s, which is greater than the Step size of " +
+                         as_text(control.initial_size) +
+                         " s. Choose a smaller one, or 0 for the default.");
     if (control.minimal_size == 0.)
       control.minimal_size = control.initial_size / 1024.;
     if (!control.automatic)
       return control;
 
     if (control.error_tolerance > 0. && !dynamic)
-      throw InputError("Time / Time error tolerance: a static run has no error "
-                       "in time. Leave the entry out; Maximal step size bounds "
-                       "the steps.");
+      throw InputError(
+        "Time / Time error tolerance",
+        "a static run has no error in time. Leave the entry out; Maximal step "
+        "size bounds the steps.");
     if (dynamic && control.error_tolerance == 0. && control.maximal_size == 0.)
-      throw InputError("Time / Step control: automatic steps of a dynamic run "
-                       "need a Time error tolerance, such as 1e-3, or a "
-                       "Maximal step size: elsewise nothing would bound them.");
+      throw InputError(
+        "Time / Step control",
+        "automatic steps of a dynamic run need a Time error tolerance, such as "
+        "1e-3, or a Maximal step size: elsewise nothing would bound them.");
     if (control.maximal_size == 0.)
       control.maximal_size = end_time;
     if (control.maximal_size < control.initial_size)
-      throw InputError("Time / Maximal step size: found " +
-                       as_text(control.maximal_size) +
-                       " s, which is less than the Step size of " +
-                       as_text(control.initial_size) +
-                       " s. Choose a greater one, or 0 for no limit.");
+      throw InputError("Time / Maximal step size",
+                       "found " + as_text(control.maximal_size) +
+                         " s, which is less than the Step size of " +
+                         as_text(control.initial_size) +
+                         " s. Choose a greater one, or 0 for no limit.");
     return control;
   }
 

@@ -85,9 +85,10 @@ namespace Signorini
         return scheme == conserving ? "consistent" : "redistributed";
       if (name == "redistributed" && scheme == conserving)
         throw InputError(
-          "Time / Contact mass: redistributed takes the mass from nodes, and "
-          "the scheme energy momentum needs that of every node. Set Contact "
-          "mass = consistent, or Scheme = Chung-Hulbert.");
+          "Time / Contact mass",
+          "redistributed takes the mass from nodes, and the scheme energy "
+          "momentum needs that of every node. Set Contact mass = consistent, "
+          "or Scheme = Chung-Hulbert.");
       return name;
     }
 
@@ -261,15 +262,17 @@ namespace Signorini
                                  InitialState::as_given;
     if (parameters.initial_state == InitialState::still && !parameters.dynamic)
       throw InputError(
-        "Time / Initial state: found static, but a static run is "
-        "in equilibrium after its first step anyway. Leave the "
-        "entry out, or set Time / Analysis = dynamic.");
+        "Time / Initial state",
+        "found static, but a static run is in equilibrium after its first step "
+        "anyway. Leave the entry out, or set Time / Analysis = dynamic.");
     parameters.final_relaxation =
       relaxation_from_name(prm.get("Final relaxation"));
     if (parameters.final_relaxation != FinalRelaxation::none &&
         !parameters.dynamic)
-      throw InputError("Time / Final relaxation: a static run has no vibration "
-                       "to take out. Set Final relaxation = none.");
+      throw InputError(
+        "Time / Final relaxation",
+        "a static run has no vibration to take out. Set Final relaxation = "
+        "none.");
     parameters.end_time            = prm.get_double("End time");
     parameters.step_size           = prm.get_double("Step size");
     parameters.return_contact_work = prm.get("Contact work") == "returned";
@@ -278,30 +281,31 @@ namespace Signorini
     parameters.residual_tolerance  = prm.get_double("Residual tolerance");
 
     if (parameters.end_time <= 0.)
-      throw InputError("Time / End time: must be greater than zero, in s, "
-                       "found " +
-                       as_text(parameters.end_time) + ".");
+      throw InputError("Time / End time",
+                       "must be greater than zero, in s, found " +
+                         as_text(parameters.end_time) + ".");
     if (parameters.step_size <= 0.)
-      throw InputError("Time / Step size: must be greater than zero, in s, "
-                       "found " +
-                       as_text(parameters.step_size) + ".");
+      throw InputError("Time / Step size",
+                       "must be greater than zero, in s, found " +
+                         as_text(parameters.step_size) + ".");
     if (parameters.step_size > parameters.end_time * (1. + 1e-12))
-      throw InputError("Time / Step size: found " +
-                       as_text(parameters.step_size) +
-                       " s, which is greater than the End time of " +
-                       as_text(parameters.end_time) +
-                       " s. Choose a step that is not longer than the run.");
+      throw InputError("Time / Step size",
+                       "found " + as_text(parameters.step_size) +
+                         " s, which is greater than the End time of " +
+                         as_text(parameters.end_time) +
+                         " s. Choose a step that is not longer than the run.");
     parameters.step_control =
       StepControl::parse(parameters.end_time, parameters.dynamic, prm);
     // More fixed ones would take days; automatic ones begin with short steps.
     const double most_steps = parameters.step_control.automatic ? 1e12 : 1e8;
     const double n_steps    = parameters.end_time / parameters.step_size;
     if (n_steps > most_steps * (1. + 1e-9))
-      throw InputError("Time / Step size: found " +
-                       as_text(parameters.step_size) + " s, which makes " +
-                       as_text(n_steps) + " steps to the End time of " +
-                       as_text(parameters.end_time) + " s; allowed are " +
-                       as_text(most_steps) + ". Choose a longer step.");
+      throw InputError("Time / Step size",
+                       "found " + as_text(parameters.step_size) +
+                         " s, which makes " + as_text(n_steps) +
+                         " steps to the End time of " +
+                         as_text(parameters.end_time) + " s; allowed are " +
+                         as_text(most_steps) + ". Choose a longer step.");
     prm.leave_subsection();
     return parameters;
   }

@@ -103,8 +103,8 @@ namespace Signorini
   std::string
   compare_algorithms_on_file(const std::string &path)
   {
-    with_path("Interface problem ",
-              [&] { require_regular_file(path, largest_data); });
+    with_prefix("Interface problem ",
+                [&] { require_regular_file(path, largest_data); });
     std::ifstream file(path);
     if (!file)
       throw InputError("Interface problem \"" + path +

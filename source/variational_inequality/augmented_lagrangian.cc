@@ -17,10 +17,10 @@ namespace Signorini
       if (value > 0. && std::isfinite(value))
         return;
       std::ostringstream message;
-      message << "Contact / " << entry << ": found " << value
+      message << "found " << value
               << ", but the algorithm `augmented Lagrangian' needs a number "
                  "greater than zero.";
-      throw InputError(message.str());
+      throw InputError("Contact / " + entry, message.str());
     }
   } // namespace
 

@@ -93,10 +93,12 @@ namespace Signorini
     for (unsigned int k = 0; k < problem.n_contacts(); ++k)
       if (problem.contact(k).has_friction() &&
           problem.contact(k).tangents.size() > 1)
-        throw InputError("Contact / Algorithm = " + name +
-                         ": it needs a slip with a sign, as in two dimensions, "
-                         "but there is friction in three. Use `semismooth "
-                         "Newton'.");
+        throw InputError::of_value(
+          "Contact / Algorithm",
+          name,
+          "it needs a slip with a sign, as in two dimensions, "
+          "but there is friction in three. Use `semismooth "
+          "Newton'.");
   }
 
 
@@ -118,8 +120,8 @@ namespace Signorini
     for (const auto &[name, maker] : algorithms())
       if (name == parameters.algorithm)
         return maker(parameters);
-    throw InputError("Contact / Algorithm: found `" + parameters.algorithm +
-                     "', allowed are " + interface_algorithm_names() +
-                     ". Choose one of these.");
+    throw InputError("Contact / Algorithm",
+                     "found `" + parameters.algorithm + "', allowed are " +
+                       interface_algorithm_names() + ". Choose one of these.");
   }
 } // namespace Signorini

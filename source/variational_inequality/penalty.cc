@@ -17,10 +17,11 @@ namespace Signorini
         return;
       std::ostringstream found;
       found << value;
-      throw InputError("Contact / " + entry + ": found " + found.str() +
-                       ", but the algorithm `penalty' needs a number greater "
-                       "than zero. Ten to a thousand times the stiffness of "
-                       "the body at a node is usual.");
+      throw InputError("Contact / " + entry,
+                       "found " + found.str() +
+                         ", but the algorithm `penalty' needs a number greater "
+                         "than zero. Ten to a thousand times the stiffness of "
+                         "the body at a node is usual.");
     }
   } // namespace
 

@@ -18,9 +18,9 @@ namespace Signorini
       if (allowed && std::isfinite(value))
         return;
       std::ostringstream message;
-      message << "Contact / " << entry << ": found " << value
-              << ", but the algorithm `two step' needs " << what << ".";
-      throw InputError(message.str());
+      message << "found " << value << ", but the algorithm `two step' needs "
+              << what << ".";
+      throw InputError("Contact / " + entry, message.str());
     }
   } // namespace
 

@@ -24,13 +24,23 @@ namespace Signorini
      */
     InputError(const std::string &entry, const std::string &text);
 
+    /** Whose message shows the value, too: `entry = value: text'. */
+    static InputError
+    of_value(const std::string &entry,
+             const std::string &value,
+             const std::string &text);
+
+    /** The same of an entry of this section: `section / entry: text'. */
+    InputError
+    in_section(const std::string &section) const;
+
     const std::string &
     entry() const
     {
       return entry_;
     }
 
-    /** The message without the entry. */
+    /** The message without the entry and its value. */
     const std::string &
     text() const
     {
@@ -38,6 +48,10 @@ namespace Signorini
     }
 
   private:
+    InputError(const std::string &entry,
+               const std::string &text,
+               const std::string &message);
+
     std::string entry_;
     std::string text_;
   };

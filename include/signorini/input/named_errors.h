@@ -7,14 +7,13 @@
 
 namespace Signorini
 {
-  /**
-   * What an action returns. Its InputError gets a path in front, such as
-   * `Body beam / ' or `Expected results / Checks: ', since who is asked does
-   * not know for which entry.
-   */
+  // What an action returns. Who is asked does not know for which entry, and
+  // its InputError learns it here.
+
+  /** The error is about this entry, such as "Expected results / Checks". */
   template <typename Action>
   auto
-  with_path(const std::string &path, const Action &action)
+  with_entry(const std::string &entry, const Action &action)
   {
     try
       {
@@ -22,7 +21,41 @@ namespace Signorini
       }
     catch (const InputError &error)
       {
-        throw InputError(path + error.what());
+        throw InputError(entry, error.what());
+      }
+  }
+
+
+
+  /** Its entry is one of this section, such as "Body beam". */
+  template <typename Action>
+  auto
+  with_section(const std::string &section, const Action &action)
+  {
+    try
+      {
+        return action();
+      }
+    catch (const InputError &error)
+      {
+        throw error.in_section(section);
+      }
+  }
+
+
+
+  /** The message, which is about no entry, begins with this text. */
+  template <typename Action>
+  auto
+  with_prefix(const std::string &prefix, const Action &action)
+  {
+    try
+      {
+        return action();
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(prefix + error.what());
       }
   }
 } // namespace Signorini

@@ -125,7 +125,7 @@ namespace Signorini
       }
     catch (const InputError &error)
       {
-        throw InputError(std::string("File / Name: ") + error.what());
+        throw InputError("File / Name", error.text());
       }
   }
 
