@@ -310,9 +310,9 @@ namespace Signorini
                        const std::vector<RefinementPasses> &passes,
                        ParameterHandler                    &prm)
   {
-    Problem         problem;
-    const Constants constants =
-      parse_constants(prm.get("Constants"), "Constants");
+    Problem problem;
+    problem.constants = parse_constants(prm.get("Constants"), "Constants");
+    const Constants &constants  = problem.constants;
     problem.title               = prm.get("Title");
     const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
                                     Kinematics::finite_strain :
