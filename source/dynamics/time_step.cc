@@ -84,7 +84,7 @@ namespace Signorini
     , inertia_(solid,
                contact,
                settings.time.dynamic &&
-                 settings.time.contact_mass != "consistent")
+                 settings.time.contact_mass != ContactMass::consistent)
     , system_(solid,
               contact,
               create_algorithm(settings.algorithm, scheme_.multiplier_factor),
