@@ -33,4 +33,13 @@ well_formed() { # the format, and the module of Python that reads it
 }
 well_formed xml 'xml.etree.ElementTree as x; x.parse(sys.stdin)'
 well_formed json 'json; json.load(sys.stdin)["Contact"]["Pair foot.foot on base.top"]["Surface"]'
+
+# What it lists is a .prm again.
+listed=$(mktemp --suffix=.prm)
+"$program" --print-parameters prm/cantilever_beam.prm >"$listed"
+"$program" --check "$listed" >/dev/null || {
+  echo "--print-parameters prm/cantilever_beam.prm: --check refuses the list."
+  failed=1
+}
+rm -f "$listed"
 exit $failed

@@ -25,7 +25,7 @@ namespace Signorini
   {
     if (!time.dynamic)
       return {time.scheme, time.scheme, 1., 1., 0.5};
-    if (time.contact_mass == "consistent")
+    if (time.contact_mass == ContactMass::consistent)
       return with_mass(time.scheme);
     if (keeps_mass)
       return with_mass(time.scheme_with_mass);

@@ -84,7 +84,7 @@ namespace Signorini
     , inertia_(solid,
                contact,
                settings.time.dynamic &&
-                 settings.time.contact_mass != "consistent")
+                 settings.time.contact_mass != ContactMass::consistent)
     , system_(make_contact_system(solid,
                                   contact,
                                   scaled(settings.algorithm,

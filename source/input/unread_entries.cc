@@ -94,6 +94,11 @@ namespace Signorini
                         const Path         &choice,
                         std::vector<Found> &found) const;
 
+      // Whether all of it is set, to its defaults: a list of all entries, as
+      // the program prints it, and no mistake.
+      bool
+      is_list_of_defaults(const Path &section) const;
+
       // The first place where a name is set to something else than its
       // default; a subsection: where anything is set in it.
       std::string
@@ -183,10 +188,33 @@ namespace Signorini
 
 
 
+    bool
+    Search::is_list_of_defaults(const Path &section) const
+    {
+      const DeclaredSection &declared = *section_at(section);
+      return std::all_of(declared.entries.begin(),
+                         declared.entries.end(),
+                         [&](const DeclaredSection::Entry &entry) {
+                           const Path path = section + Path{entry.name};
+                           return file.where(joined(path)) != "default" &&
+                                  value_at(path).choice.is_default;
+                         }) &&
+             std::all_of(declared.sections.begin(),
+                         declared.sections.end(),
+                         [&](const auto &inner) {
+                           return is_list_of_defaults(section +
+                                                      Path{inner.first});
+                         });
+    }
+
+
+
     std::string
     Search::origin(const Path &section, const std::string &name) const
     {
       const Path path = section + Path{name};
+      if (section_at(path) != nullptr && is_list_of_defaults(path))
+        return "";
       for (const ParameterStatement &statement : assignments)
         {
           const Path whole = statement.section + Path{statement.entry};

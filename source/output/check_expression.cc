@@ -1,3 +1,4 @@
+#include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/nearest_name.h>
 #include <signorini/input/silenced_errors.h>
@@ -90,6 +91,23 @@ namespace Signorini
       return result;
     }
 
+    double
+    constant(const std::string &name, const Constants &constants)
+    {
+      const auto found = constants.find(name);
+      if (found != constants.end())
+        return found->second;
+      std::vector<std::string> names;
+      for (const auto &[known, value] : constants)
+        names.push_back(known);
+      throw InputError("'" + name +
+                       "' is not a number. A column has to stand in a "
+                       "function, such as max(" +
+                       name + ") or final(" + name + "). The constants are " +
+                       comma_separated(names) + "." +
+                       did_you_mean(name, names));
+    }
+
     // muParser on a formula whose variables all have a value.
     double
     evaluate_formula(const std::string                   &formula,
@@ -100,7 +118,8 @@ namespace Signorini
         {
           dealii::FunctionParser<1> parser(1);
           // Scalar functions of deal.II need a coordinate. No formula can
-          // refer to this one, as names other than pi and calls are refused.
+          // refer to this one, as names other than calls and functions are
+          // refused.
           parser.initialize("x", formula, variables);
           return parser.value(dealii::Point<1>());
         }
@@ -260,7 +279,8 @@ namespace Signorini
 
 
 
-  CheckExpression::CheckExpression(const std::string &text)
+  CheckExpression::CheckExpression(const std::string &text,
+                                   const Constants   &constants)
   {
     if (trim(text).empty())
       throw InputError("A formula is missing.");
@@ -272,7 +292,7 @@ namespace Signorini
                        ".");
     find_outside(text, ""); // the parentheses match
 
-    std::map<std::string, double> dummy_values{{"pi", 1.}};
+    std::map<std::string, double> dummy_values;
     for (std::size_t i = 0; i < text.size();)
       {
         const std::size_t name_end = i + name_length(text, i);
@@ -292,22 +312,23 @@ namespace Signorini
           {
             const std::size_t close    = closing_parenthesis(text, open);
             const std::string variable = "call_" + std::to_string(calls.size());
-            calls.push_back(
-              parse_call(name, text.substr(open + 1, close - open - 1)));
+            calls.push_back(parse_call(name,
+                                       text.substr(open + 1, close - open - 1),
+                                       constants));
             formula += variable;
             dummy_values[variable] = 1.;
             i                      = close + 1;
           }
-        else if (is_call || name == "pi")
+        else if (is_call)
           {
             formula += name;
             i = name_end;
           }
         else
-          throw InputError("'" + name +
-                           "' is not a number. A column has to stand in a "
-                           "function, such as max(" +
-                           name + ") or final(" + name + ").");
+          {
+            formula += "(" + shortest_exact(constant(name, constants)) + ")";
+            i = name_end;
+          }
       }
     evaluate_formula(formula, dummy_values);
   }
@@ -316,7 +337,8 @@ namespace Signorini
 
   CheckExpression::Call
   CheckExpression::parse_call(const std::string &name,
-                              const std::string &arguments)
+                              const std::string &arguments,
+                              const Constants   &constants)
   {
     const Function          &function = functions().at(name);
     std::vector<std::string> parts    = split_outside(arguments, ',');
@@ -342,13 +364,14 @@ namespace Signorini
         const bool        with_equality = parts[0][sign + 1] == '=';
         call.comparison = comparison(parts[0][sign], with_equality);
         call.subject    = trim(parts[0].substr(0, sign));
-        call.arguments.emplace_back(
-          parts[0].substr(sign + (with_equality ? 2 : 1)));
+        call.arguments.emplace_back(parts[0].substr(sign +
+                                                    (with_equality ? 2 : 1)),
+                                    constants);
       }
     if (name == "time")
       parts[1] = without_word_switch(parts[1]);
     for (unsigned int i = 1; i < parts.size(); ++i)
-      call.arguments.emplace_back(parts[i]);
+      call.arguments.emplace_back(parts[i], constants);
     if (name == "time" && call.arguments[1].is_constant())
       check_switch_number(call.arguments[1].evaluate(History(), NoFields()));
     return call;
@@ -392,7 +415,7 @@ namespace Signorini
                             const FieldLookup &fields) const
   {
     check_names(history, fields);
-    std::map<std::string, double> variables{{"pi", dealii::numbers::PI}};
+    std::map<std::string, double> variables;
     for (unsigned int i = 0; i < calls.size(); ++i)
       variables["call_" + std::to_string(i)] =
         evaluate_call(calls[i], history, fields);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <set>
 
 namespace Signorini
 {
@@ -37,6 +38,31 @@ namespace Signorini
       char text[32];
       std::snprintf(text, sizeof(text), "%.6g", value);
       return text;
+    }
+
+    // "name: condition [source]"; name and source may be missing.
+    struct Parts
+    {
+      std::string name;
+      std::string condition;
+    };
+
+    Parts
+    take_apart(const std::string &text)
+    {
+      Parts             parts = {"", text};
+      const std::size_t colon = text.find(':');
+      // The colon behind a condition belongs to muParser: a > 1 ? b : c
+      if (colon < text.find_first_of("()<>=?"))
+        {
+          parts = {trim(text.substr(0, colon)), trim(text.substr(colon + 1))};
+          if (parts.name.empty())
+            throw InputError("There is no name in front of the colon.");
+        }
+      const std::size_t bracket = parts.condition.rfind('[');
+      if (bracket != std::string::npos && parts.condition.back() == ']')
+        parts.condition = trim(parts.condition.substr(0, bracket));
+      return parts;
     }
 
     struct Sides
@@ -90,10 +116,12 @@ namespace Signorini
     }
 
     double
-    parse_tolerance(const std::string &text, const bool relative)
+    parse_tolerance(const std::string &text,
+                    const bool         relative,
+                    const Constants   &constants)
     {
       const CheckExpression expression(
-        relative ? text.substr(0, text.size() - 1) : text);
+        relative ? text.substr(0, text.size() - 1) : text, constants);
       const double value =
         expression.is_constant() ? constant(expression) : nan;
       if (!(value >= 0.) || !std::isfinite(value))
@@ -105,24 +133,33 @@ namespace Signorini
 
 
 
-  ExpectedResults::ExpectedResults(const std::string &text)
+  ExpectedResults::ExpectedResults(const std::string &text,
+                                   const Constants   &constants)
   {
     if (trim(text).empty())
       return;
     const auto parts =
       in_check(trim(text), [&]() { return split_outside(text, '|'); });
+    std::set<std::string> names;
     for (const std::string &part : parts)
       // A separator at the end is no mistake.
       if (!part.empty())
-        checks.push_back(in_check(part, [&]() { return parse(part); }));
+        checks.push_back(in_check(part, [&]() {
+          const Parts apart = take_apart(part);
+          if (!apart.name.empty() && !names.insert(apart.name).second)
+            throw InputError("There is another one of this name.");
+          return parse(part, apart.condition, constants);
+        }));
   }
 
 
 
   ExpectedResults::Check
-  ExpectedResults::parse(const std::string &text)
+  ExpectedResults::parse(const std::string &text,
+                         const std::string &condition,
+                         const Constants   &constants)
   {
-    const Sides sides = split_sides(text);
+    const Sides sides = split_sides(condition);
     const bool  relative =
       !sides.tolerance.empty() && sides.tolerance.back() == '%';
     const Relation relation =
@@ -133,13 +170,13 @@ namespace Signorini
                                Relation::greater_or_equal;
 
     Check check{text,
-                CheckExpression(sides.left),
+                CheckExpression(sides.left, constants),
                 relation,
-                CheckExpression(sides.right),
+                CheckExpression(sides.right, constants),
                 nan,
                 relative};
     if (relation == Relation::equal)
-      check.tolerance = parse_tolerance(sides.tolerance, relative);
+      check.tolerance = parse_tolerance(sides.tolerance, relative, constants);
     if (relative && check.right.is_constant() && constant(check.right) == 0.)
       throw InputError("A tolerance in % of 0 allows nothing. "
                        "Give an absolute one.");

@@ -126,7 +126,7 @@ namespace Signorini
     with_entry(quantities_entry, [&] {
       for (const std::string &name : names_)
         {
-          expressions_.emplace_back(name);
+          expressions_.emplace_back(name, problem.constants);
           expressions_.back().check_names(history, fields);
         }
     });

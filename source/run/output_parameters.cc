@@ -81,8 +81,10 @@ namespace Signorini
                       "",
                       Patterns::Anything(),
                       "Conditions on the history and the final fields, "
-                      "separated by `|': `max(floor.penetration) = 0 +- 1e-12 "
-                      "| final(tip.displacement_y) = -5e-5 +- 1 %'. A miss is "
+                      "separated by `|': `tightness: max(floor.penetration) = "
+                      "0 +- 1e-12 | final(tip.displacement_y) = -5e-5 +- 1 % "
+                      "[beam theory]'. Each may have a name in front, and in "
+                      "brackets where the number comes from. A miss is "
                       "reported and makes the program return 4.");
     prm.leave_subsection();
   }

@@ -170,13 +170,6 @@ namespace Signorini
                                "Chung-Hulbert.");
     }
 
-    ContactMass
-    contact_mass(const std::string &name)
-    {
-      return name == "consistent" ? ContactMass::consistent :
-                                    ContactMass::redistributed;
-    }
-
     // The nodes of each body that may lose their mass: of contactors and of
     // deforming targets.
     template <int dim>
@@ -310,9 +303,9 @@ namespace Signorini
                        const std::vector<RefinementPasses> &passes,
                        ParameterHandler                    &prm)
   {
-    Problem         problem;
-    const Constants constants =
-      parse_constants(prm.get("Constants"), "Constants");
+    Problem problem;
+    problem.constants = parse_constants(prm.get("Constants"), "Constants");
+    const Constants &constants  = problem.constants;
     problem.title               = prm.get("Title");
     const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
                                     Kinematics::finite_strain :
@@ -414,7 +407,7 @@ namespace Signorini
     // 3. Matrices, which have to know the nodes that lose their mass
     problem.solid->assemble({problem.time.dynamic,
                              problem.time.lump_mass,
-                             contact_mass(problem.time.contact_mass),
+                             problem.time.contact_mass,
                              contact_nodes(*problem.solid, *problem.contact)});
     auto &contact = problem.contact_parameters;
     if (contact.relative_penalty_stiffness > 0.)

@@ -60,9 +60,11 @@ namespace Signorini
             problem.output.interface_times,
             problem.output.time_between_fields)
     , fields_(problem)
-    , expected_(
-        with_entry(checks_entry,
-                   [&] { return ExpectedResults(problem.output.checks); }))
+    , expected_(with_entry(checks_entry,
+                           [&] {
+                             return ExpectedResults(problem.output.checks,
+                                                    problem.constants);
+                           }))
     , checkpoint_clock_(problem.output.steps_between_checkpoints,
                         problem.output.minutes_between_checkpoints)
     , columns_(result_columns(problem))

@@ -77,19 +77,19 @@ namespace Signorini
       return conserving;
     }
 
-    std::string
-    contact_mass_name(const std::string &scheme, const ParameterHandler &prm)
+    ContactMass
+    contact_mass_for(const std::string &scheme, const ParameterHandler &prm)
     {
       const std::string name = prm.get("Contact mass");
-      if (name == "automatic")
-        return scheme == conserving ? "consistent" : "redistributed";
+      if (name == "consistent" || (name == "automatic" && scheme == conserving))
+        return ContactMass::consistent;
       if (name == "redistributed" && scheme == conserving)
         throw InputError(
           "Time / Contact mass",
           "redistributed takes the mass from nodes, and the scheme energy "
           "momentum needs that of every node. Set Contact mass = consistent, "
           "or Scheme = Chung-Hulbert.");
-      return name;
+      return ContactMass::redistributed;
     }
 
     FinalRelaxation
@@ -327,7 +327,7 @@ namespace Signorini
         chung_hulbert(std::min(damping, prm.get_double("Spectral radius"))) :
         scheme;
     conserves_energy = name == conserving;
-    contact_mass     = contact_mass_name(name, prm);
+    contact_mass     = contact_mass_for(name, prm);
     prm.leave_subsection();
   }
 } // namespace Signorini

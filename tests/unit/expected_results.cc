@@ -215,6 +215,44 @@ BOOST_AUTO_TEST_CASE(a_list_and_its_report)
   BOOST_TEST(ExpectedResults(" \n").n_checks() == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(names_and_sources)
+{
+  const ExpectedResults checks(
+    "most contacts: max(floor.contacts) = 3 +- 1 % [Key, eq. (2)] | "
+    "max(floor.contacts) < 2 [a: b] | (1 > 0 ? 3 : 2) = 3 +- 0");
+  const auto results = checks.evaluate(example(), NoFields());
+  BOOST_TEST(report(results) ==
+             "passed  most contacts: max(floor.contacts) = 3 +- 1 % [Key, eq. "
+             "(2)]   found 3, expected 3, distance 0, tolerance 0.03\n"
+             "missed  max(floor.contacts) < 2 [a: b]   found 3, expected 2\n"
+             "passed  (1 > 0 ? 3 : 2) = 3 +- 0   found 3, expected 3, distance "
+             "0, tolerance 0\n");
+  BOOST_TEST(syntax_error("a: max(time) > 0 | b: 1 > 0 | a: 2 > 1") ==
+             "In the expected result 'a: 2 > 1': There is another one of this "
+             "name.");
+  BOOST_TEST(syntax_error(": 1 > 0") ==
+             "In the expected result ': 1 > 0': There is no name in front of "
+             "the colon.");
+}
+
+BOOST_AUTO_TEST_CASE(constants_in_checks)
+{
+  const Constants constants = {{"most", 3.}, {"tol", 0.5}, {"t0", 1.}};
+  BOOST_TEST(
+    all_passed(ExpectedResults("max(floor.contacts) = most +- tol % | "
+                               "max(floor.contacts)*most = -3*(-most) +- 0 | "
+                               "first(floor.contacts > most - 3) = t0 +- 1e-12",
+                               constants)
+                 .evaluate(example(), NoFields())));
+  BOOST_CHECK_EXCEPTION(ExpectedResults("max(time) < mos", constants),
+                        InputError,
+                        [](const InputError &error) {
+                          return contains(error.what(),
+                                          "The constants are most, t0, tol. "
+                                          "Did you mean \"most\"?");
+                        });
+}
+
 BOOST_AUTO_TEST_CASE(unknown_names_are_found_before_the_run)
 {
   History columns;

@@ -24,6 +24,7 @@ namespace
     prm.declare_entry("Moment", "", Patterns::Anything());
     prm.enter_subsection("Circle");
     prm.declare_entry("Radius", "1", Patterns::Double());
+    prm.declare_entry("Side", "outside", Patterns::Anything());
     prm.leave_subsection();
     prm.leave_subsection();
     prm.enter_subsection("Contact");
@@ -113,6 +114,9 @@ BOOST_AUTO_TEST_CASE(what_is_read_is_passed)
         std::string("subsection Body\nset Free = x\nset Mass = 2\nend\n"),
         std::string("subsection Body\nset Mass = 0.0\nend\n"), // the default
         std::string("subsection Body\nsubsection Circle\nend\nend\n"),
+        // As the program lists all entries
+        std::string("subsection Body\nset Shape = plane\nsubsection Circle\n"
+                    "set Radius = 1\nset Side = outside\nend\nend\n"),
         std::string("subsection Body\nset Free = x, rotation\nset Moment = "
                     "1\nend\n")})
     {

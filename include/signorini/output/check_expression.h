@@ -1,6 +1,7 @@
 #ifndef signorini_output_check_expression_h
 #define signorini_output_check_expression_h
 
+#include <signorini/input/formula.h>
 #include <signorini/output/field_lookup.h>
 #include <signorini/output/history.h>
 #include <signorini/output/time_series.h>
@@ -12,8 +13,9 @@ namespace Signorini
 {
   /**
    * A number that is calculated from the results of a run: a formula of
-   * muParser (numbers, + - * / ^, sqrt, sin, ..., pi) in which these calls may
-   * stand. C is a column of the history, F a nodal field, N any such formula.
+   * muParser (numbers, constants, + - * / ^, sqrt, sin, ...) in which these
+   * calls may stand. C is a column of the history, F a nodal field, N any such
+   * formula.
    *
    *   max(C) min(C) max_abs(C) mean(C) final(C)   over the run, or
    *   max(C, N, N) ...                            over a window of time
@@ -35,7 +37,9 @@ namespace Signorini
   {
   public:
     /** @throws InputError on a mistake in the syntax. */
-    explicit CheckExpression(const std::string &text);
+    explicit CheckExpression(const std::string &text,
+                             const Constants   &constants = {
+                                 {"pi", dealii::numbers::PI}});
 
     /** Whether it is a plain formula, the same for every run. */
     bool
@@ -71,7 +75,9 @@ namespace Signorini
     };
 
     static Call
-    parse_call(const std::string &function, const std::string &arguments);
+    parse_call(const std::string &function,
+               const std::string &arguments,
+               const Constants   &constants);
 
     static double
     evaluate_call(const Call        &call,

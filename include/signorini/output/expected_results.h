@@ -11,7 +11,7 @@ namespace Signorini
   /** What became of one check. */
   struct CheckResult
   {
-    /** The check as the user wrote it. */
+    /** The check as the user wrote it, with name and source. */
     std::string text;
     bool        passed = false;
 
@@ -28,23 +28,26 @@ namespace Signorini
    * Checks of the results of a run, written in the parameter file and
    * separated by '|':
    *
-   *   max(floor.penetration) = 0 +- 1e-12
-   *   max_abs(tip.displacement_y)/54.795e-6 = 1 +- 0.5 %
-   *   final(tip.displacement_y) = 1e3*0.2^3/(3*73e9*6.667e-7) +- 0.5 %
-   *   max(floor.pressure) < 300e6
+   *   no penetration: max(floor.penetration) = 0 +- 1e-12
+   *   deflection: max_abs(tip.displacement_y) = F*L^3/(3*E*I) +- 0.5 % [beam
+   * theory] max(floor.pressure) < 300e6
    *
-   * Both sides are a CheckExpression. An equation needs a tolerance: absolute,
-   * or in % of the absolute value of the right side. The relations <, <=, >
-   * and >= have none. A side that is not finite, or for which the run has no
-   * value, is a miss.
+   * In front may stand the name of a check, behind it in brackets where the
+   * number comes from; both are for the report. Both sides are a
+   * CheckExpression. An equation needs a tolerance: absolute, or in % of the
+   * absolute value of the right side. The relations <, <=, > and >= have none.
+   * A side that is not finite, or for which the run has no value, is a miss.
    */
   class ExpectedResults
   {
   public:
     /**
-     * @throws InputError on a mistake in the syntax, with the check it is in.
+     * @throws InputError on a mistake in the syntax, with the check it is in,
+     *   and for two checks of one name.
      */
-    explicit ExpectedResults(const std::string &checks);
+    explicit ExpectedResults(const std::string &checks,
+                             const Constants   &constants = {
+                                 {"pi", dealii::numbers::PI}});
 
     /**
      * Check before the run that all names exist; @p history needs columns, but
@@ -84,7 +87,9 @@ namespace Signorini
     };
 
     static Check
-    parse(const std::string &text);
+    parse(const std::string &text,
+          const std::string &condition,
+          const Constants   &constants);
 
     static CheckResult
     evaluate(const Check       &check,

@@ -37,6 +37,7 @@ namespace Signorini
     TimeParameters                               time;
     ContactParameters                            contact_parameters;
     AdaptivityParameters                         adaptivity;
+    Constants                                    constants;
     OutputParameters<dim>                        output;
     std::vector<std::unique_ptr<RigidBody<dim>>> rigid_bodies;
     std::unique_ptr<SolidModel<dim>>             solid;

@@ -13,13 +13,6 @@
 
 namespace Signorini
 {
-  /** Where the mass of nodes that come into contact goes. */
-  enum class ContactMass
-  {
-    consistent,   // it stays
-    redistributed // to inner nodes
-  };
-
   /**
    * Takes the inertia off nodes that come into contact [cf.
    * KhenousLabordeRenard2008; HagerHueberWohlmuth2008]. With m the lumped mass

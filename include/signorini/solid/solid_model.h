@@ -10,6 +10,7 @@
 #include <signorini/solid/rigid_body_dof.h>
 #include <signorini/solid/rigid_motion.h>
 #include <signorini/solid/supports.h>
+#include <signorini/time/time_parameters.h>
 
 #include <deal.II/lac/sparsity_pattern.h>
 

@@ -29,6 +29,13 @@ namespace Signorini
     still     // the static equilibrium under the loads at t = 0
   };
 
+  /** Where the mass of nodes that come into contact goes. */
+  enum class ContactMass
+  {
+    consistent,   // it stays
+    redistributed // to inner nodes
+  };
+
   /** The section `Time` of the .prm: what is integrated, and how. */
   struct TimeParameters
   {
@@ -41,7 +48,7 @@ namespace Signorini
     GeneralizedAlpha scheme;
     GeneralizedAlpha scheme_with_mass; // after nodes got their mass back
     bool             conserves_energy; // internal forces are those of the step
-    std::string      contact_mass;     // consistent | redistributed
+    ContactMass      contact_mass;
     bool             return_contact_work;
     bool             lump_mass;
     unsigned int     maximal_iterations;
