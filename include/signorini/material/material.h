@@ -35,7 +35,7 @@ namespace Signorini
 
     // At the end of the step, in the unit of its reference. None: as at its
     // start.
-    std::optional<double> temperature;
+    std::optional<double> temperature = std::nullopt;
   };
 
   /** What a law is asked about. */

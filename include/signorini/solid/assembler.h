@@ -31,7 +31,7 @@ namespace Signorini
     const DofVector *displacement_n = nullptr; // at its start, m
 
     // At its end, s. None: temperatures are those of its start.
-    std::optional<double> time;
+    std::optional<double> time = std::nullopt;
   };
 
   /** Numbers that the points of a body remember between two steps. */
