@@ -26,7 +26,7 @@ namespace Signorini
     const Body<dim>                          *body;
     std::string                               boundary;
     std::unique_ptr<const ContactTarget<dim>> target;
-    ContactLaw                                law;
+    ContactLaw                                law = ContactLaw();
     ContactConstraint constraint = ContactConstraint::node_to_surface;
   };
 
