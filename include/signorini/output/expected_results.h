@@ -29,8 +29,10 @@ namespace Signorini
    * separated by '|':
    *
    *   no penetration: max(floor.penetration) = 0 +- 1e-12
-   *   deflection: max_abs(tip.displacement_y) = F*L^3/(3*E*I) +- 0.5 % [beam
-   * theory] max(floor.pressure) < 300e6
+   *
+   *   deflection: max_abs(tip.displacement_y) = F*L^3/(3*E*I) +- 0.5 % [theory]
+   *
+   *   max(floor.pressure) < 300e6
    *
    * In front may stand the name of a check, behind it in brackets where the
    * number comes from; both are for the report. Both sides are a
