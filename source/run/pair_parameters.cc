@@ -1,4 +1,5 @@
 #include <signorini/input/input_error.h>
+#include <signorini/input/name_table.h>
 #include <signorini/input/named_list.h>
 #include <signorini/input/number_text.h>
 #include <signorini/run/pair_parameters.h>
@@ -13,6 +14,45 @@ namespace Signorini
 
   namespace
   {
+    // Without a value the meshes decide.
+    const NameTable<std::optional<ContactConstraint>> &
+    constraints()
+    {
+      static const NameTable<std::optional<ContactConstraint>> table = {
+        {"automatic", std::nullopt},
+        {"node to surface", ContactConstraint::node_to_surface},
+        {"mortar", ContactConstraint::mortar}};
+      return table;
+    }
+
+    const NameTable<SurfaceInterpolation::Kind> &
+    surfaces()
+    {
+      static const NameTable<SurfaceInterpolation::Kind> table = {
+        {"spline", SurfaceInterpolation::Kind::spline},
+        {"facets", SurfaceInterpolation::Kind::facets}};
+      return table;
+    }
+
+    const NameTable<CurveWeights::Knots> &
+    knots()
+    {
+      static const NameTable<CurveWeights::Knots> table = {
+        {"centripetal", CurveWeights::Knots::centripetal},
+        {"uniform", CurveWeights::Knots::uniform}};
+      return table;
+    }
+
+    const NameTable<Overclosure> &
+    overclosures()
+    {
+      static const NameTable<Overclosure> table = {
+        {"refuse", Overclosure::refuse},
+        {"press fit", Overclosure::press_fit},
+        {"adjust", Overclosure::adjust}};
+      return table;
+    }
+
     struct Entry
     {
       std::string name;
@@ -27,7 +67,7 @@ namespace Signorini
       static const std::vector<Entry> list = {
         {"Constraint",
          "automatic",
-         "automatic|node to surface|mortar",
+         constraints().names(),
          "automatic: node to surface; but mortar in 2-D on a flat deforming "
          "target, with finite strain, where surfaces leave each other over "
          "edges, and where the contactor is coarser, so that nodes of the "
@@ -37,14 +77,14 @@ namespace Signorini
          "meshes that do not match."},
         {"Surface",
          "spline",
-         "spline|facets",
+         surfaces().names(),
          "A deforming target of node to surface: splines through its nodes, or "
          "straight facets between them. mortar takes the boundary as the "
          "elements have it. In 3-D always facets, whose normals go over into "
          "each other."},
         {"Knots",
          "centripetal",
-         "centripetal|uniform",
+         knots().names(),
          "Parameters of the nodes of a spline, which decide how it swings "
          "between nodes at unequal distances."},
         {"Feature angle",
@@ -65,7 +105,7 @@ namespace Signorini
          "1."},
         {"Overclosure",
          "refuse",
-         "refuse|press fit|adjust",
+         overclosures().names(),
          "Contactor nodes inside of their target at t = 0. refuse: an error. "
          "press fit: they are pushed out with strain until the Press fit end. "
          "adjust: the overlap counts as contact, free of strain."},
@@ -170,24 +210,18 @@ namespace Signorini
                                           name;
                                  }};
     PairParameters    parameters;
-    parameters.law = ContactLaw::parse(constants, entries);
-    if (get("Constraint") == "mortar")
-      parameters.constraint = ContactConstraint::mortar;
-    else if (get("Constraint") == "node to surface" ||
-             get("Surface") == "facets")
+    parameters.law           = ContactLaw::parse(constants, entries);
+    parameters.constraint    = constraints().at(get("Constraint"));
+    parameters.surface.kind  = surfaces().at(get("Surface"));
+    parameters.surface.knots = knots().at(get("Knots"));
+    // Facets are a target of node to surface.
+    if (!parameters.constraint &&
+        parameters.surface.kind == SurfaceInterpolation::Kind::facets)
       parameters.constraint = ContactConstraint::node_to_surface;
-    if (get("Surface") == "facets")
-      parameters.surface.kind = SurfaceInterpolation::Kind::facets;
-    parameters.surface.knots         = get("Knots") == "uniform" ?
-                                         CurveWeights::Knots::uniform :
-                                         CurveWeights::Knots::centripetal;
     parameters.surface.feature_angle = parse_positive(entries, "Feature angle");
-    parameters.surface.reach    = parse_positive(entries, "Search distance");
-    parameters.surface.depth    = parse_positive(entries, "Search depth");
-    const std::string treatment = get("Overclosure");
-    parameters.overclosure = treatment == "press fit" ? Overclosure::press_fit :
-                             treatment == "adjust"    ? Overclosure::adjust :
-                                                        Overclosure::refuse;
+    parameters.surface.reach = parse_positive(entries, "Search distance");
+    parameters.surface.depth = parse_positive(entries, "Search depth");
+    parameters.overclosure   = overclosures().at(get("Overclosure"));
     parameters.press_fit_end = parse_positive(entries, "Press fit end");
     return parameters;
   }

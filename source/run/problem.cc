@@ -1,6 +1,7 @@
 #include <signorini/dynamics/unheld_bodies.h>
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
+#include <signorini/input/name_table.h>
 #include <signorini/input/named_list.h>
 #include <signorini/run/overclosure.h>
 #include <signorini/run/problem.h>
@@ -17,6 +18,15 @@ namespace Signorini
 
   namespace
   {
+    const NameTable<Kinematics> &
+    kinematics_names()
+    {
+      static const NameTable<Kinematics> table = {
+        {"small strain", Kinematics::small_strain},
+        {"finite strain", Kinematics::finite_strain}};
+      return table;
+    }
+
     void
     declare_general_parameters(ParameterHandler &prm)
     {
@@ -33,7 +43,7 @@ namespace Signorini
       prm.declare_entry(
         "Kinematics",
         "small strain",
-        Patterns::Selection("small strain|finite strain"),
+        Patterns::Selection(kinematics_names().names()),
         "small strain: the bodies' strains and rotations are "
         "small, though they may slide and contact may be "
         "anywhere; finite strain: large strains and rotations.");
@@ -307,9 +317,7 @@ namespace Signorini
     problem.constants = parse_constants(prm.get("Constants"), "Constants");
     const Constants &constants  = problem.constants;
     problem.title               = prm.get("Title");
-    const Kinematics kinematics = prm.get("Kinematics") == "finite strain" ?
-                                    Kinematics::finite_strain :
-                                    Kinematics::small_strain;
+    const Kinematics kinematics = kinematics_names().at(prm.get("Kinematics"));
     problem.time                = TimeParameters::parse(prm);
     problem.adaptivity =
       AdaptivityParameters::parse(problem.time.end_time, prm);

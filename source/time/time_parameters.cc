@@ -1,11 +1,13 @@
 #include <signorini/input/as_text.h>
 #include <signorini/input/input_error.h>
+#include <signorini/input/name_table.h>
 #include <signorini/time/time_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
 #include <map>
+#include <optional>
 
 namespace Signorini
 {
@@ -59,6 +61,35 @@ namespace Signorini
     constexpr char   conserving[]          = "energy momentum";
     constexpr double usual_spectral_radius = 0.98;
 
+    const NameTable<InitialState> &
+    initial_states()
+    {
+      static const NameTable<InitialState> table = {
+        {"as given", InitialState::as_given}, {"static", InitialState::still}};
+      return table;
+    }
+
+    const NameTable<FinalRelaxation> &
+    final_relaxations()
+    {
+      static const NameTable<FinalRelaxation> table = {
+        {"none", FinalRelaxation::none},
+        {"static", FinalRelaxation::still},
+        {"damped", FinalRelaxation::damped}};
+      return table;
+    }
+
+    // Without a value the scheme decides.
+    const NameTable<std::optional<ContactMass>> &
+    contact_masses()
+    {
+      static const NameTable<std::optional<ContactMass>> table = {
+        {"automatic", std::nullopt},
+        {"consistent", ContactMass::consistent},
+        {"redistributed", ContactMass::redistributed}};
+      return table;
+    }
+
     // Large strains and rotations need a scheme that keeps energy by
     // construction; others are bound to it only in what is linear. Plastic flow
     // takes more than they make, and massless nodes serve impacts.
@@ -71,7 +102,8 @@ namespace Signorini
       // Who says how it damps, or that nodes lose their mass, means the other.
       const bool speaks_of_other =
         prm.get_double("Spectral radius") != usual_spectral_radius ||
-        prm.get("Contact mass") == "redistributed";
+        contact_masses().at(prm.get("Contact mass")) ==
+          ContactMass::redistributed;
       if (!is_large_and_elastic || speaks_of_other)
         return "Chung-Hulbert";
       return conserving;
@@ -80,24 +112,17 @@ namespace Signorini
     ContactMass
     contact_mass_for(const std::string &scheme, const ParameterHandler &prm)
     {
-      const std::string name = prm.get("Contact mass");
-      if (name == "consistent" || (name == "automatic" && scheme == conserving))
-        return ContactMass::consistent;
-      if (name == "redistributed" && scheme == conserving)
+      const auto        asked = contact_masses().at(prm.get("Contact mass"));
+      const bool        needs_all = scheme == conserving;
+      const ContactMass usual =
+        needs_all ? ContactMass::consistent : ContactMass::redistributed;
+      if (needs_all && asked == ContactMass::redistributed)
         throw InputError(
           "Time / Contact mass",
           "redistributed takes the mass from nodes, and the scheme energy "
           "momentum needs that of every node. Set Contact mass = consistent, "
           "or Scheme = Chung-Hulbert.");
-      return ContactMass::redistributed;
-    }
-
-    FinalRelaxation
-    relaxation_from_name(const std::string &name)
-    {
-      return name == "none"   ? FinalRelaxation::none :
-             name == "static" ? FinalRelaxation::still :
-                                FinalRelaxation::damped;
+      return asked.value_or(usual);
     }
 
     void
@@ -155,7 +180,7 @@ namespace Signorini
                       "only scales loads and motions (load stepping).");
     prm.declare_entry("Initial state",
                       "as given",
-                      Patterns::Selection("as given|static"),
+                      Patterns::Selection(initial_states().names()),
                       "What a dynamic run starts from. as given: the initial "
                       "displacements of the bodies, which need not be in "
                       "balance. static: the equilibrium that a static step "
@@ -163,7 +188,7 @@ namespace Signorini
                       "with contact and friction; velocities are as given.");
     prm.declare_entry("Final relaxation",
                       "none",
-                      Patterns::Selection("none|static|damped"),
+                      Patterns::Selection(final_relaxations().names()),
                       "What takes the vibration out of the bodies after the "
                       "End time of a dynamic run and leaves residual "
                       "stresses. static: one step without inertia. damped: "
@@ -183,7 +208,7 @@ namespace Signorini
     prm.declare_entry(
       "Contact mass",
       "automatic",
-      Patterns::Selection("automatic|consistent|redistributed"),
+      Patterns::Selection(contact_masses().names()),
       "automatic: consistent with the scheme energy momentum, "
       "redistributed with others. redistributed: nodes lose their mass when they come "
       "into contact, and contact forces do not ring. It goes "
@@ -257,16 +282,14 @@ namespace Signorini
     TimeParameters parameters;
     prm.enter_subsection("Time");
     parameters.dynamic       = prm.get("Analysis") == "dynamic";
-    parameters.initial_state = prm.get("Initial state") == "static" ?
-                                 InitialState::still :
-                                 InitialState::as_given;
+    parameters.initial_state = initial_states().at(prm.get("Initial state"));
     if (parameters.initial_state == InitialState::still && !parameters.dynamic)
       throw InputError(
         "Time / Initial state",
         "found static, but a static run is in equilibrium after its first step "
         "anyway. Leave the entry out, or set Time / Analysis = dynamic.");
     parameters.final_relaxation =
-      relaxation_from_name(prm.get("Final relaxation"));
+      final_relaxations().at(prm.get("Final relaxation"));
     if (parameters.final_relaxation != FinalRelaxation::none &&
         !parameters.dynamic)
       throw InputError(
