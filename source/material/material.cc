@@ -97,7 +97,7 @@ namespace Signorini
   {
     const bool      is_finite = kinematics() == Kinematics::finite_strain;
     const double    guess     = point.gradient[2][2];
-    ThicknessSearch search;
+    ThicknessSearch search(guess);
     while (true)
       {
         // The strain is logarithmic, so that none can invert the thickness.

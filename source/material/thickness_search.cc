@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -36,16 +37,20 @@ namespace Signorini
                     stress < 0.    ? limit :
                                      -limit;
     change        = std::clamp(change, -limit, limit);
+
+    // Rounding may leave more of a stress that is small against what the strain
+    // of a finite rotation, or of a plastic flow, is rounded to.
+    const bool is_rounding =
+      std::abs(change) <=
+        std::numeric_limits<double>::epsilon() * (guess_ + std::abs(strain_)) ||
+      (n_tries_ > 1 && std::abs(change) < 1e-12 &&
+       std::abs(stress) > 0.5 * std::abs(last_stress_));
+    if (is_rounding)
+      return true;
     if (has_lower_ && has_upper_ &&
         !(strain_ + change > lower_ && strain_ + change < upper_))
       change = 0.5 * (lower_ + upper_) - strain_;
 
-    // Rounding may leave more of a stress that is small against what the strain
-    // of a finite rotation, or of a plastic flow, is rounded to.
-    const bool is_rounding = n_tries_ > 1 && std::abs(change) < 1e-12 &&
-                             std::abs(stress) > 0.5 * std::abs(last_stress_);
-    if (is_rounding)
-      return true;
     last_stress_ = stress;
     strain_ += change;
     return false;
@@ -60,7 +65,7 @@ namespace Signorini
                           const PlasticState            &state_n)
   {
     const double    guess = trial_strain[2][2];
-    ThicknessSearch search;
+    ThicknessSearch search(guess);
     while (true)
       {
         trial_strain[2][2] = guess + search.strain();

@@ -3,6 +3,8 @@
 
 #include <signorini/material/strain_law.h>
 
+#include <cmath>
+
 namespace Signorini
 {
   /**
@@ -13,6 +15,11 @@ namespace Signorini
   class ThicknessSearch
   {
   public:
+    /** @param guess the strain to begin with, to which those tried are added */
+    explicit ThicknessSearch(const double guess)
+      : guess_(std::abs(guess))
+    {}
+
     /** The strain to try next, beyond the first guess. */
     double
     strain() const
@@ -34,6 +41,7 @@ namespace Signorini
             const double stiffness);
 
   private:
+    double       guess_;
     double       strain_ = 0.;
     double       lower_;
     double       upper_;
