@@ -9,6 +9,8 @@
 #include <map>
 #include <vector>
 
+#include "outward_normal.h"
+
 namespace Signorini
 {
   using namespace dealii;
@@ -32,21 +34,6 @@ namespace Signorini
           std::sort(joints.back().begin(), joints.back().end());
         }
       return joints;
-    }
-
-    // Away from a point inside.
-    template <int dim, typename Face>
-    Tensor<1, dim>
-    normal_of(const Face &face, const Point<dim> &inside)
-    {
-      Tensor<1, dim> normal;
-      if constexpr (dim == 2)
-        normal = cross_product_2d(face->vertex(1) - face->vertex(0));
-      else
-        normal = cross_product_3d(face->vertex(3) - face->vertex(0),
-                                  face->vertex(2) - face->vertex(1));
-      normal /= normal.norm();
-      return normal * (face->center() - inside) > 0. ? normal : -normal;
     }
   } // namespace
 
@@ -72,7 +59,8 @@ namespace Signorini
           if (dynamic_cast<const FlatManifold<dim> *>(
                 &triangulation.get_manifold(face->manifold_id())))
             for (const Joint &joint : joints_of(face))
-              normals[joint].push_back(normal_of<dim>(face, cell->center()));
+              normals[joint].push_back(
+                outward_normal<dim>(face, cell->center()));
         }
     unsigned int n_joints = 0, n_smooth = 0;
     for (const auto &[joint, of_faces] : normals)

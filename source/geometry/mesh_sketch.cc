@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "outward_normal.h"
 #include "sketch_canvas.h"
 #include "svg.h"
 
@@ -48,32 +49,16 @@ namespace Signorini
     }
 
     template <int dim>
-    Tensor<1, dim>
-    outward_normal(
-      const typename Triangulation<dim>::active_cell_iterator &cell,
-      const unsigned int                                       f)
-    {
-      const auto     face = cell->face(f);
-      Tensor<1, dim> normal;
-      if constexpr (dim == 2)
-        normal = cross_product_2d(face->vertex(1) - face->vertex(0));
-      else
-        normal = cross_product_3d(face->vertex(3) - face->vertex(0),
-                                  face->vertex(2) - face->vertex(1));
-      normal /= normal.norm();
-      return normal * (face->center() - cell->center()) < 0. ? -normal : normal;
-    }
-
-    template <int dim>
     SketchFace
     drawn_face(const typename Triangulation<dim>::active_cell_iterator &cell,
                const unsigned int                                       f,
                const SketchCanvas<dim>                                 &canvas)
     {
       const SketchView<dim> view;
-      const auto            face   = cell->face(f);
-      const Tensor<1, dim>  normal = outward_normal<dim>(cell, f);
-      Tensor<1, 2>          flat   = projected<dim>(normal);
+      const auto            face = cell->face(f);
+      const Tensor<1, dim>  normal =
+        outward_normal<dim>(cell->face(f), cell->center());
+      Tensor<1, 2> flat = projected<dim>(normal);
       flat /= std::max(flat.norm(), 1e-6);
       SketchFace drawn = {face->boundary_id(),
                           {},
