@@ -267,30 +267,53 @@ namespace Signorini
         };
         // A straight way cuts a curved surface, and comes out on its side.
         const auto is_on_side = [&](const unsigned int    node,
-                                    const Tensor<1, dim> &normal) {
+                                    const Tensor<1, dim> &normal,
+                                    const double          recession) {
           constexpr double same   = 0.966; // within 15 degrees
           const auto       target = closest_to(placed, {{node, 1.}});
-          return target && target->gap >= 0. && target->normal * normal > same;
+          return target && target->gap >= -recession &&
+                 target->normal * normal > same;
         };
         for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
           {
             const unsigned int k    = pair.first_contact + n;
             const unsigned int node = pair.node_of_candidate[n];
-            if (closed[k] || start_gaps[k] <= 0. || offset.was_inside(n) ||
-                (before.contact && before.contact->recessions[k] != 0.))
+            // Worn surfaces recede, but the meshes stay where they are.
+            const double recession =
+              before.contact ? before.contact->recessions[k] : 0.;
+            const double start_gap = start_gaps[k] - recession;
+            if (closed[k] || start_gap <= 0. || offset.was_inside(n))
               continue;
             const auto side =
               placed.target->passed_side(placed.positions_before[node],
                                          placed.positions[node],
-                                         start_gaps[k],
+                                         start_gap,
                                          pair.contactor.nodes[n].dofs[0]);
-            if (side && !is_on_side(node, *side) &&
+            if (side && !is_on_side(node, *side, recession) &&
                 !(placed_before && (rests_inside(*placed_before, node) ||
                                     rests_inside(placed, node))))
               passed.push_back(k);
           }
       }
     return passed;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactModel<dim>::recession_gains(
+    const std::vector<ContactPoint<dim>> &points,
+    const ContactState                   &state) const
+  {
+    std::vector<double> gains(n_contacts_);
+    for (const auto &pair : pairs_)
+      for (unsigned int n = 0; n < pair.contactor.nodes.size(); ++n)
+        {
+          const unsigned int k = pair.first_contact + n;
+          gains[k] = pair.law.recession(state, k) - points[k].recession;
+        }
+    return gains;
   }
 
 

@@ -26,6 +26,7 @@ namespace Signorini
     state.contact.forces      = contact_forces(iterate);
     state.contact.is_slipping = iterate.is_slipping;
     contact_.advance(step_size, points, state.contact);
+    refuse_fast_wear(points, state);
     if (conserves_energy_)
       set_mean_acceleration(old_state, step_size, state);
     if (settings_.time.dynamic)
@@ -75,6 +76,37 @@ namespace Signorini
         state.velocity /= step_size;
       }
     state.handed_over.reinit(0);
+  }
+
+
+
+  // What wears in a step opens the gap in the next. That is stable where it is
+  // less than what the force presses a node in by, with its neighbours held.
+  template <int dim>
+  void
+  TimeStep<dim>::refuse_fast_wear(const std::vector<ContactPoint<dim>> &points,
+                                  const State &state) const
+  {
+    constexpr double          largest_share = 0.5;
+    const std::vector<double> gains =
+      contact_.recession_gains(points, state.contact);
+    std::vector<unsigned int> fast;
+    for (unsigned int k = 0; k < gains.size(); ++k)
+      {
+        if (gains[k] <= 0.)
+          continue;
+        double compliance = 0.; // m/N
+        for (const auto &[i, a] : points[k].gap_gradient)
+          if (solid_.stiffness().diag_element(i) > 0.)
+            compliance += a * a / solid_.stiffness().diag_element(i);
+        const double pressed_in = state.contact.forces.normal[k] * compliance;
+        if (gains[k] > largest_share * pressed_in)
+          fast.push_back(k);
+      }
+    if (!fast.empty())
+      throw StepFailed("in the step contacts wear deeper than half of what "
+                       "their forces press them in by: " +
+                       contact_.candidates_in_words(fast));
   }
 
 

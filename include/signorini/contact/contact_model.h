@@ -133,6 +133,16 @@ namespace Signorini
                           const std::vector<double> &start_gaps,
                           const std::vector<bool>   &closed) const;
 
+    /**
+     * How much further the surfaces will have receded in the next step, of each
+     * candidate, m.
+     * @param points of this step
+     * @param state  at its end
+     */
+    std::vector<double>
+    recession_gains(const std::vector<ContactPoint<dim>> &points,
+                    const ContactState                   &state) const;
+
     /** `floor at (0 0), ...' for the first few of these candidates. */
     std::string
     candidates_in_words(const std::vector<unsigned int> &candidates) const;

@@ -297,6 +297,11 @@ namespace Signorini
            const Iterate                        &iterate,
            State                                &state);
 
+    // @throws StepFailed if the step is too long for wear.
+    void
+    refuse_fast_wear(const std::vector<ContactPoint<dim>> &points,
+                     const State                          &state) const;
+
     void
     set_mean_acceleration(const State &old_state,
                           const double step_size,
