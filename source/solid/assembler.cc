@@ -1,3 +1,4 @@
+#include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/solid/assembler.h>
 
@@ -5,12 +6,13 @@
 #include <deal.II/base/work_stream.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <exception>
 #include <map>
 #include <memory>
 #include <sstream>
 
-#include "cell_dofs.h"
 #include "cell_response.h"
+#include "cell_scratch.h"
 
 namespace Signorini
 {
@@ -18,37 +20,6 @@ namespace Signorini
 
   namespace
   {
-    template <int dim>
-    struct ScratchData
-    {
-      ScratchData(const Body<dim> &body, const UpdateFlags flags)
-        : values(body.mapping(),
-                 body.scalar_fe(),
-                 QGauss<dim>(body.scalar_fe().degree + 1),
-                 flags)
-        , dofs(body)
-      {}
-
-      ScratchData(const ScratchData &other)
-        : values(other.values.get_mapping(),
-                 other.values.get_fe(),
-                 other.values.get_quadrature(),
-                 other.values.get_update_flags())
-        , dofs(other.dofs)
-      {}
-
-      void
-      visit(const typename DoFHandler<dim>::active_cell_iterator &cell)
-      {
-        values.reinit(
-          static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-        dofs.reinit(cell);
-      }
-
-      FEValues<dim> values;
-      CellDofs<dim> dofs;
-    };
-
     template <int dim>
     unsigned int
     n_values_at_a_point(const Body<dim> &body)
@@ -60,10 +31,10 @@ namespace Signorini
     }
 
     template <int dim, int n_strains>
-    struct ResponseScratch : public ScratchData<dim>
+    struct ResponseScratch : public CellScratch<dim>
     {
       explicit ResponseScratch(const Body<dim> &body)
-        : ScratchData<dim>(body,
+        : CellScratch<dim>(body,
                            update_values | update_gradients |
                              update_quadrature_points | update_JxW_values)
         , body(body)
@@ -155,7 +126,7 @@ namespace Signorini
       double                               stored_energy = 0.;
       double                               plastic_work  = 0.;
       double                               heating       = 0.;
-      std::string                          failure;
+      std::exception_ptr                   failure;
     };
 
     template <int dim>
@@ -203,16 +174,16 @@ namespace Signorini
                  DofMatrix                       *stiffness,
                  const double                     factor)
     {
-      using Scratch        = ResponseScratch<dim, n_strains>;
-      const auto  constant = constant_responses(body);
-      std::string failure;
+      using Scratch               = ResponseScratch<dim, n_strains>;
+      const auto         constant = constant_responses(body);
+      std::exception_ptr failure;
 
       const auto worker = [&](const auto   &cell,
                               Scratch      &scratch,
                               ResponseCopy &copy) {
         const auto known = constant.find(&body.material(cell->material_id()));
         const unsigned int first = scratch.first_value(cell);
-        copy.failure.clear();
+        copy.failure             = nullptr;
         try
           {
             scratch.evaluate(cell,
@@ -224,7 +195,14 @@ namespace Signorini
           }
         catch (const MaterialFailure &error)
           {
-            copy.failure = failure_in_words(body, cell->center(), error.what());
+            copy.failure = std::make_exception_ptr(MaterialFailure(
+              failure_in_words(body, cell->center(), error.what())));
+            return;
+          }
+        // No exception may leave a thread: of a formula without a value.
+        catch (const InputError &)
+          {
+            copy.failure = std::current_exception();
             return;
           }
         copy.dofs      = scratch.dofs.all();
@@ -237,7 +215,7 @@ namespace Signorini
         copy.heating       = scratch.cell.heating;
       };
       const auto copier = [&](const ResponseCopy &copy) {
-        if (!copy.failure.empty())
+        if (copy.failure)
           {
             failure = copy.failure;
             return;
@@ -266,8 +244,8 @@ namespace Signorini
                       copier,
                       Scratch(body),
                       ResponseCopy(body.fe().n_dofs_per_cell()));
-      if (!failure.empty())
-        throw MaterialFailure(failure);
+      if (failure)
+        std::rethrow_exception(failure);
     }
 
     template <int dim, int n_strains>
@@ -296,42 +274,6 @@ namespace Signorini
             }
         }
       return result;
-    }
-
-    struct MassCopy
-    {
-      explicit MassCopy(const unsigned int n_dofs)
-        : mass(n_dofs, n_dofs)
-        , dofs(n_dofs)
-      {}
-
-      FullMatrix<double>                   mass;
-      std::vector<types::global_dof_index> dofs;
-    };
-
-    template <int dim>
-    void
-    cell_mass(const Body<dim>     &body,
-              const double         density,
-              const bool           lump,
-              const double         factor,
-              const FEValues<dim> &values,
-              FullMatrix<double>  &mass)
-    {
-      mass = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const double weight = factor * density * values.JxW(q) *
-                                body.volume_factor(values.quadrature_point(q));
-          for (const unsigned int a : values.dof_indices())
-            for (const unsigned int b : values.dof_indices())
-              {
-                const double entry =
-                  weight * values.shape_value(a, q) * values.shape_value(b, q);
-                for (unsigned int c = 0; c < dim; ++c)
-                  mass(a * dim + c, (lump ? a : b) * dim + c) += entry;
-              }
-        }
     }
   } // namespace
 
@@ -396,38 +338,6 @@ namespace Signorini
 
 
 
-  template <int dim>
-  void
-  add_mass(const Body<dim>                 &body,
-           const AffineConstraints<double> &constraints,
-           const bool                       lump,
-           const double                     factor,
-           DofMatrix                       &mass)
-  {
-    WorkStream::run(
-      body.dof_handler().begin_active(),
-      body.dof_handler().end(),
-      [&](const auto &cell, ScratchData<dim> &scratch, MassCopy &copy) {
-        scratch.visit(cell);
-        copy.dofs = scratch.dofs.all();
-        cell_mass(body,
-                  body.material(cell->material_id()).density(),
-                  lump,
-                  factor,
-                  scratch.values,
-                  copy.mass);
-      },
-      [&](const MassCopy &copy) {
-        constraints.distribute_local_to_global(copy.mass, copy.dofs, mass);
-      },
-      ScratchData<dim>(body,
-                       update_values | update_quadrature_points |
-                         update_JxW_values),
-      MassCopy(body.fe().n_dofs_per_cell()));
-  }
-
-
-
 #define INSTANTIATE(dim)                                                     \
   template unsigned int n_history_values<dim>(const Body<dim> &);            \
   template void         add_response<dim>(const Body<dim> &,                 \
@@ -440,12 +350,7 @@ namespace Signorini
                                   const double);                     \
   template PointValues  point_values<dim>(const Body<dim> &,                 \
                                          const DofVector &,                 \
-                                         const ArrayView<const double>);    \
-  template void         add_mass<dim>(const Body<dim> &,                     \
-                              const AffineConstraints<double> &,     \
-                              const bool,                            \
-                              const double,                          \
-                              DofMatrix &);
+                                         const ArrayView<const double>);
   SIGNORINI_FOR_EACH_DIMENSION(INSTANTIATE)
 #undef INSTANTIATE
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #include <signorini/input/input_error.h>
 #include <signorini/input/instantiate.h>
 #include <signorini/linear_algebra/types.h>
+#include <signorini/solid/mass_matrix.h>
 #include <signorini/solid/mass_moments.h>
 #include <signorini/solid/solid_model.h>
 

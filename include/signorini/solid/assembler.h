@@ -82,18 +82,6 @@ namespace Signorini
   point_values(const Body<dim>                      &body,
                const DofVector                      &displacement,
                const dealii::ArrayView<const double> history);
-
-  /**
-   * Adds the mass matrix of a body, M_ab += factor int rho N_a N_b dV; lumped:
-   * the sum of each row of a cell goes to the diagonal.
-   */
-  template <int dim>
-  void
-  add_mass(const Body<dim>                         &body,
-           const dealii::AffineConstraints<double> &constraints,
-           const bool                               lump,
-           const double                             factor,
-           DofMatrix                               &mass);
 } // namespace Signorini
 
 #endif
