@@ -41,13 +41,17 @@ namespace Signorini
     const auto timing = timings_.measure(
       solid_.is_linear() ? section_residual_ : section_assembly_);
     tangent_displacement_.reinit(0); // until the tangent is whole
+    // A static run begins as if nothing acted yet: neither loads nor heat.
+    std::optional<double> temperature_time;
+    if (settings_.time.dynamic || state.step > 0)
+      temperature_time = state.time;
     try
       {
         SolidResponse response =
           solid_.respond({state.displacement,
                           step_size,
                           conserves_energy_ ? &old_state.displacement : nullptr,
-                          state.time},
+                          temperature_time},
                          old_state.history,
                          solid_.is_linear() ? nullptr : &tangent_);
         if (!solid_.is_linear())

@@ -147,22 +147,6 @@ namespace Signorini
       return true;
     }
 
-    template <int dim>
-    void
-    set_temperature(const Constants  &constants,
-                    ParameterHandler &prm,
-                    Body<dim>        &body)
-    {
-      const std::string text = prm.get("Temperature");
-      if (!text.empty())
-        body.set_temperature(
-          SpaceTimeFunction<dim>(text,
-                                 1,
-                                 constants,
-                                 "Body " + body.name() + " / Temperature",
-                                 Dependence::space_and_time));
-    }
-
     // The mean force over a step does the work of an energy that depends on
     // the deformation alone.
     template <int dim>
@@ -229,6 +213,10 @@ namespace Signorini
           solid.external_force(sample, displacement);
           for (const auto &body : problem.rigid_bodies)
             body->placement({displacement, sample});
+          for (const auto &part : solid.parts())
+            if (const auto *const temperature = part.body->temperature())
+              for (const auto &node : part.body->nodes())
+                temperature->value(node.point, sample);
           if (time.dynamic)
             solid.apply_support_rates(sample,
                                       time.step_size,
@@ -344,7 +332,7 @@ namespace Signorini
                                                        passes[parts.size()],
                                       prm);
         n_dofs += body->n_dofs();
-        set_temperature(constants, prm, *body);
+        body->read_temperature(constants, prm);
         Loads<dim>    loads(*body, constants, prm);
         Supports<dim> supports(*body, constants, global_run, prm);
         parts.push_back(

@@ -182,6 +182,29 @@ namespace Signorini
 
   template <int dim>
   void
+  Body<dim>::read_temperature(const Constants        &constants,
+                              const ParameterHandler &prm)
+  {
+    const std::string entry     = "Body " + name_ + " / Temperature";
+    const std::string text      = prm.get("Temperature");
+    const auto        materials = this->materials();
+    if (text.empty())
+      return;
+    if (std::none_of(materials.begin(),
+                     materials.end(),
+                     [](const Material *material) {
+                       return material->expands();
+                     }))
+      throw InputError(entry,
+                       "has no effect, since no material of the body has a "
+                       "Thermal expansion. Give one, or leave the entry out.");
+    temperature_.emplace(text, 1, constants, entry, Dependence::space_and_time);
+  }
+
+
+
+  template <int dim>
+  void
   Body<dim>::create_region_materials(const std::string &base_directory,
                                      ParameterHandler  &prm)
   {

@@ -143,11 +143,11 @@ namespace Signorini
       return temperature_ ? &*temperature_ : nullptr;
     }
 
+    /** Reads it from the section that @p prm is in. @throws InputError, also
+     * where no material of the body expands. */
     void
-    set_temperature(const SpaceTimeFunction<dim> &temperature)
-    {
-      temperature_ = temperature;
-    }
+    read_temperature(const Constants                &constants,
+                     const dealii::ParameterHandler &prm);
 
     /** All materials of the body: of the regions, and that of the rest. */
     std::vector<const Material *>
